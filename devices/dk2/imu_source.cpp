@@ -1,0 +1,136 @@
+#include "devices/dk2/imu_source.h"
+
+#include <algorithm>
+
+#include "devices/dk2/feature_reports.h"
+
+namespace foverig::dk2 {
+namespace {
+
+constexpr std::size_t kKeptReadbacks = 64;
+constexpr Nanoseconds kCorrectionPause{100'000'000};  // reports in flight still have the old format
+
+template <class Report>
+Result<Report> get(Transport& transport) {
+    const auto bytes = transport.control_get(Report::kId, 0, Report::kSize);
+    if (!bytes) return bytes.error();
+    return Report::decode(*bytes);
+}
+
+template <class Report>
+Status set(Transport& transport, Report report, std::uint16_t& command_id) {
+    report.command_id = ++command_id;
+    return transport.control_set(Report::kId, 0, report.encode());
+}
+
+}  // namespace
+
+Dk2ImuSource::Dk2ImuSource(Transport& transport, HostTime now,
+                           const FactoryCalibration& calibration, const ImuSourceConfig& config)
+    : transport_(&transport),
+      config_(config),
+      calibration_(calibration),
+      decoder_(calibration),
+      clock_map_(config.clock_map),
+      next_keep_alive_(now + config.keep_alive_period),
+      next_correction_(now) {}
+
+Result<Dk2ImuSource> Dk2ImuSource::open(Transport& transport, HostTime now,
+                                        const ImuSourceConfig& config) {
+    const auto factory = get<FactoryCalibrationReport>(transport);
+    if (!factory) return factory.error();
+    Dk2ImuSource source(transport, now, FactoryCalibration::from(*factory), config);
+
+    auto device_config = get<ConfigReport>(transport);
+    if (!device_config) return device_config.error();
+    ConfigReport wanted = *device_config;
+    // LibOVR's choice for the DK2: raw values from the device, the matrix applied here in double.
+    wanted.use_calibration = false;
+    wanted.raw = false;
+    wanted.sensor_coordinates = false;
+    wanted.command_keep_alive = true;
+    wanted.interval = config.interval;
+    if (auto status = set(transport, wanted, source.command_id_); !status) return status.error();
+
+    auto display = get<DisplayReport>(transport);
+    if (!display) return display.error();
+    DisplayReport panel = *display;
+    panel.read_pixel = config.read_pixel;
+    if (auto status = set(transport, panel, source.command_id_); !status) return status.error();
+
+    const KeepAliveMuxReport awake{.timeout_ms = config.keep_alive_timeout_ms};
+    if (auto status = set(transport, awake, source.command_id_); !status) return status.error();
+    return source;
+}
+
+Next<ImuSample> Dk2ImuSource::next(HostTime deadline) {
+    while (ready_.empty()) {
+        const HostTime until = std::min(deadline, next_keep_alive_);
+        NextPacket got = transport_->next(until);
+        if (const auto* packet = std::get_if<Packet>(&got)) {
+            if (packet->arrival >= next_keep_alive_) keep_alive(packet->arrival);
+            take(*packet);
+        } else if (std::holds_alternative<Timeout>(got)) {
+            if (until >= next_keep_alive_) keep_alive(until);
+            if (until >= deadline) return Timeout{};
+        } else if (auto* fault = std::get_if<Fault>(&got)) {
+            return std::move(*fault);
+        } else {
+            return EndOfStream{};
+        }
+    }
+    const ImuSample sample = ready_.front();
+    ready_.pop_front();
+    return sample;
+}
+
+void Dk2ImuSource::take(const Packet& packet) {
+    const Result<DecodedReport> decoded = decoder_.decode(packet.bytes);
+    const bool is_report1 = !packet.bytes.empty() && read_u8(packet.bytes, 0) == InputReport1::kId;
+    if (is_report1 && packet.arrival >= next_correction_) {
+        ++format_switches_;
+        next_correction_ = packet.arrival + kCorrectionPause;
+        keep_alive(packet.arrival);
+    }
+    if (!decoded) {
+        ++counts_.rejected;
+        return;
+    }
+    if (decoded->restarted) {
+        ++counts_.reconnects;
+        clock_map_.reset();
+    }
+    counts_.lost += decoded->lost;
+    counts_.samples += decoded->samples.size();
+    // A time continued by count is no measurement of the device's clock.
+    if (!is_report1) clock_map_.update(decoded->samples.back().device_time, packet.arrival);
+    for (const ImuSample& decoded_sample : decoded->samples) {
+        ImuSample& s = ready_.emplace_back(decoded_sample);
+        s.host_time = clock_map_.to_host(s.device_time);
+        s.arrival = packet.arrival;
+    }
+    if (!is_report1) note_panel(decoded->panel);
+}
+
+void Dk2ImuSource::keep_alive(HostTime now) {
+    const KeepAliveMuxReport awake{.timeout_ms = config_.keep_alive_timeout_ms};
+    if (!set(*transport_, awake, command_id_)) ++control_failures_;
+    next_keep_alive_ = now + config_.keep_alive_period;
+}
+
+void Dk2ImuSource::note_panel(PanelReadback panel) {
+    if (panel_seen_ && panel.frame_count == last_frame_count_) return;
+    panel_seen_ = true;
+    last_frame_count_ = panel.frame_count;
+    panel.vsync = clock_map_.to_host(panel.vsync_device);
+    readbacks_.push_back(panel);
+    if (readbacks_.size() > kKeptReadbacks) readbacks_.pop_front();
+}
+
+std::vector<PanelReadback> Dk2ImuSource::take_panel_readbacks() {
+    std::vector<PanelReadback> taken(readbacks_.begin(), readbacks_.end());
+    readbacks_.clear();
+    return taken;
+}
+
+}  // namespace foverig::dk2

@@ -1,0 +1,69 @@
+#pragma once
+// The DK2 over a transport: Source<ImuSample>. Sets the device up, keeps it awake from the reader
+// (DEVICES.md 1.6) and corrects a switch to report 1. One thread uses it; it has none of its own.
+#include <deque>
+#include <vector>
+
+#include "devices/clock_map.h"
+#include "devices/dk2/decoder.h"
+#include "devices/source.h"
+
+namespace foverig::dk2 {
+
+struct ImuSourceConfig {
+    std::uint8_t interval = 0;  ///< reports at 1000 / (1 + interval) Hz
+    bool read_pixel = true;     ///< turns the latency tester on
+    std::uint16_t keep_alive_timeout_ms = 10000;
+    Nanoseconds keep_alive_period{3'000'000'000};  ///< three tries a time-out
+    ClockMapConfig clock_map{};
+};
+
+class Dk2ImuSource {
+  public:
+    using Sample = ImuSample;
+
+    /// Reads the factory calibration, takes it over from the device, selects report 11.
+    /// `transport` outlives the source; `now` starts the keep-alive.
+    static Result<Dk2ImuSource> open(Transport& transport, HostTime now,
+                                     const ImuSourceConfig& config = {});
+
+    /// Samples in order; up to 254 come of one packet.
+    Next<ImuSample> next(HostTime deadline);
+
+    /// Read-backs since the last call, one for each new frame count; the newest 64 are kept.
+    std::vector<PanelReadback> take_panel_readbacks();
+
+    SourceCounts counts() const { return counts_; }
+    std::uint64_t control_failures() const { return control_failures_; }
+    /// Reports in DK1 format that arrived and were answered with report 17.
+    std::uint64_t format_switches() const { return format_switches_; }
+    const ClockMap<Dk2Time>& clock_map() const { return clock_map_; }
+    const FactoryCalibration& calibration() const { return calibration_; }
+
+  private:
+    Dk2ImuSource(Transport& transport, HostTime now, const FactoryCalibration& calibration,
+                 const ImuSourceConfig& config);
+
+    void take(const Packet& packet);
+    void keep_alive(HostTime now);
+    void note_panel(PanelReadback panel);
+
+    Transport* transport_;
+    ImuSourceConfig config_;
+    FactoryCalibration calibration_;
+    Dk2Decoder decoder_;
+    ClockMap<Dk2Time> clock_map_;
+    std::deque<ImuSample> ready_;
+    std::deque<PanelReadback> readbacks_;
+    bool panel_seen_ = false;
+    std::uint16_t last_frame_count_ = 0;
+    HostTime next_keep_alive_{};
+    HostTime next_correction_{};
+    std::uint16_t command_id_ = 0;
+    SourceCounts counts_;
+    std::uint64_t control_failures_ = 0, format_switches_ = 0;
+};
+
+static_assert(Source<Dk2ImuSource>);
+
+}  // namespace foverig::dk2

@@ -1,0 +1,188 @@
+#include "devices/gaze/gaze_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foverig::gaze {
+namespace {
+
+constexpr std::size_t kKeptEvents = 64;
+constexpr std::size_t kRoundTrips = 40;
+constexpr std::uint64_t kLatestNs = std::uint64_t{1}
+                                    << 62;  // 146 years: beyond it a stamp is noise
+
+std::uint16_t rate_bit(std::uint16_t rate_hz) {
+    switch (rate_hz) {
+        case 60:
+            return 1;
+        case 120:
+            return 2;
+        case 250:
+            return 4;
+        default:
+            return 0;
+    }
+}
+
+GazeTime time_of(std::uint64_t ns) {
+    return GazeTime(Nanoseconds(static_cast<std::int64_t>(ns)));
+}
+
+bool times_are_sane(const SampleFrame& f) {
+    return f.exposure_ns <= f.header.queued_ns;
+}
+
+}  // namespace
+
+GazeSource::GazeSource(Transport& transport, const Clock& clock, const Info& info,
+                       const GazeSourceConfig& config)
+    : transport_(&transport),
+      clock_(&clock),
+      config_(config),
+      info_(info),
+      clock_map_(config.clock_map),
+      next_sync_(clock.now()) {}
+
+Result<GazeSource> GazeSource::open(Transport& transport, const Clock& clock,
+                                    const GazeSourceConfig& config) {
+    const auto bytes = transport.control_get(request::get_info, 0, Info::kSize);
+    if (!bytes) return bytes.error();
+    const auto info = Info::decode(*bytes);
+    if (!info) return info.error();
+    if (info->major != FrameHeader::kMajor) {
+        return Error{ErrorCode::unsupported,
+                     fmt::format("gaze tracker speaks version {}, expected 1", info->major)};
+    }
+    if ((info->rates & rate_bit(config.rate_hz)) == 0) {
+        return Error{ErrorCode::unsupported,
+                     fmt::format("gaze tracker has no rate of {} Hz", config.rate_hz)};
+    }
+    GazeSource source(transport, clock, *info, config);
+    // A tracker left streaming by someone else would refuse a new rate.
+    if (auto s = source.stop(); !s) return s.error();
+    if (auto s = transport.control_set(request::set_rate, config.rate_hz, {}); !s) return s.error();
+    if (auto s = transport.control_set(request::set_options, 0, encode_options(config.options)); !s)
+        return s.error();
+    if (auto s = transport.control_set(request::set_mapping, 0, encode_mapping(config.mapping_mm));
+        !s)
+        return s.error();
+    if (auto s = transport.control_set(request::start, 0, {}); !s) return s.error();
+    return source;
+}
+
+Status GazeSource::stop() {
+    return transport_->control_set(request::stop, 0, {});
+}
+
+Next<GazeSample> GazeSource::next(HostTime deadline) {
+    while (ready_.empty()) {
+        if (clock_->now() >= next_sync_) sync_time();
+        NextPacket got = transport_->next(deadline);
+        if (const auto* packet = std::get_if<Packet>(&got)) {
+            take(*packet);
+        } else if (std::holds_alternative<Timeout>(got)) {
+            return Timeout{};
+        } else if (auto* fault = std::get_if<Fault>(&got)) {
+            return std::move(*fault);
+        } else {
+            return EndOfStream{};
+        }
+    }
+    const GazeSample sample = ready_.front();
+    ready_.pop_front();
+    return sample;
+}
+
+void GazeSource::take(const Packet& packet) {
+    const Result<Frame> frame = decode_frame(packet.bytes);
+    if (!frame) {
+        ++counts_.rejected;
+        return;
+    }
+    const FrameHeader& header =
+        std::visit([](const auto& f) -> const FrameHeader& { return f.header; }, *frame);
+    const auto* sample = std::get_if<SampleFrame>(&*frame);
+    if (header.queued_ns >= kLatestNs || (sample && !times_are_sane(*sample))) {
+        ++counts_.rejected;
+        return;
+    }
+    const FrameSequence::Step step = sequence_.advance(header);
+    if (!step.accepted) {
+        ++counts_.rejected;
+        return;
+    }
+    if (step.new_session) {
+        ++counts_.reconnects;
+        last_camera_frame_.reset();
+    }
+    counts_.lost += step.lost;
+    gap_before_next_sample_ |=
+        step.lost > 0 || step.new_session || (header.flags & frame_flag::discontinuity) != 0;
+    follow_clock(header, packet.arrival);
+
+    if (sample) {
+        take_sample(*sample, packet.arrival, gap_before_next_sample_);
+        gap_before_next_sample_ = false;
+    } else if (const auto* event = std::get_if<EventFrame>(&*frame)) {
+        events_.push_back(*event);
+        if (events_.size() > kKeptEvents) events_.pop_front();
+    } else if (const auto* calibration = std::get_if<CalibrationFrame>(&*frame)) {
+        last_calibration_ = *calibration;
+    }
+}
+
+void GazeSource::follow_clock(const FrameHeader& header, HostTime arrival) {
+    // Stamps do not run back, so that one which does says the clock began anew, flagged or not.
+    if ((header.flags & frame_flag::clock_reset) != 0 || header.queued_ns < last_queued_ns_)
+        clock_map_.reset();
+    last_queued_ns_ = header.queued_ns;
+    clock_map_.update(time_of(header.queued_ns), arrival);
+}
+
+void GazeSource::take_sample(const SampleFrame& frame, HostTime arrival, bool gap) {
+    if (last_camera_frame_) {
+        const std::uint32_t ahead = frame.camera_frame - *last_camera_frame_;
+        if (ahead > 0 && ahead < 1u << 31) missed_exposures_ += ahead - 1;
+    }
+    last_camera_frame_ = frame.camera_frame;
+    dropped_by_device_ = frame.dropped_by_device;
+    GazeSample& s = ready_.emplace_back(to_sample(frame));
+    s.host_time = clock_map_.to_host(s.device_time);
+    s.arrival = arrival;
+    s.gap = gap;
+    ++counts_.samples;
+}
+
+// Host = middle of the round trip, kept only for the shortest quarter of trips (DEVICES.md 4.5.6).
+void GazeSource::sync_time() {
+    next_sync_ = clock_->now() + config_.time_sync_period;
+    const HostTime before = clock_->now();
+    const auto bytes =
+        transport_->control_get(request::get_time, ++cookie_, DeviceTimeReply::kSize);
+    const HostTime after = clock_->now();
+    if (!bytes) {
+        ++control_failures_;
+        return;
+    }
+    const auto reply = DeviceTimeReply::decode(*bytes);
+    if (!reply || reply->cookie != cookie_ || reply->device_ns >= kLatestNs) {
+        ++control_failures_;
+        return;
+    }
+    const Nanoseconds trip = after - before;
+    round_trips_.push_back(trip);
+    if (round_trips_.size() > kRoundTrips) round_trips_.pop_front();
+    std::vector<Nanoseconds> sorted(round_trips_.begin(), round_trips_.end());
+    const auto quarter = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 4);
+    std::nth_element(sorted.begin(), quarter, sorted.end());
+    if (trip <= *quarter) clock_map_.update(time_of(reply->device_ns), before + trip / 2);
+}
+
+std::vector<EventFrame> GazeSource::take_events() {
+    std::vector<EventFrame> taken(events_.begin(), events_.end());
+    events_.clear();
+    return taken;
+}
+
+}  // namespace foverig::gaze

@@ -1,0 +1,79 @@
+#pragma once
+// The gaze tracker over a transport: Source<GazeSample>. Frames are timed by the device's own
+// exposure stamps through the clock map, never by arrival. One thread uses it.
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "devices/clock_map.h"
+#include "devices/gaze/frame_sequence.h"
+#include "devices/gaze/gaze_sample.h"
+#include "devices/gaze/requests.h"
+#include "devices/source.h"
+
+namespace foverig::gaze {
+
+struct GazeSourceConfig {
+    std::uint16_t rate_hz = 60;                 ///< 60, 120 or 250, where the device has it
+    std::uint32_t options = option::events;     ///< SET_OPTIONS bits
+    float mapping_mm = 1500;                    ///< +infinity: at the vergence distance
+    Nanoseconds time_sync_period{250'000'000};  ///< one GET_TIME round trip each
+    ClockMapConfig clock_map{.window = Nanoseconds{1'000'000'000}, .windows = 30};
+};
+
+class GazeSource {
+  public:
+    using Sample = GazeSample;
+
+    /// Checks the version, sets rate, options and mapping, starts a session. `transport` and
+    /// `clock` outlive the source; the clock stamps GET_TIME round trips.
+    static Result<GazeSource> open(Transport& transport, const Clock& clock,
+                                   const GazeSourceConfig& config = {});
+
+    Next<GazeSample> next(HostTime deadline);
+    Status stop();
+
+    /// Events since the last call; the newest 64 are kept.
+    std::vector<EventFrame> take_events();
+    const std::optional<CalibrationFrame>& last_calibration() const { return last_calibration_; }
+
+    /// rejected: damaged, foreign, duplicate or late transfers. A damaged frame is also a lost one.
+    SourceCounts counts() const { return counts_; }
+    std::uint64_t missed_exposures() const { return missed_exposures_; }  ///< gaps in camera_frame
+    std::uint32_t dropped_by_device() const { return dropped_by_device_; }
+    std::uint64_t control_failures() const { return control_failures_; }
+    const ClockMap<GazeTime>& clock_map() const { return clock_map_; }
+    const Info& info() const { return info_; }
+
+  private:
+    GazeSource(Transport& transport, const Clock& clock, const Info& info,
+               const GazeSourceConfig& config);
+
+    void take(const Packet& packet);
+    void take_sample(const SampleFrame& frame, HostTime arrival, bool gap);
+    void follow_clock(const FrameHeader& header, HostTime arrival);
+    void sync_time();
+
+    Transport* transport_;
+    const Clock* clock_;
+    GazeSourceConfig config_;
+    Info info_;
+    ClockMap<GazeTime> clock_map_;
+    FrameSequence sequence_;
+    std::uint64_t last_queued_ns_ = 0;
+    bool gap_before_next_sample_ = false;
+    std::optional<std::uint32_t> last_camera_frame_;
+    std::deque<GazeSample> ready_;
+    std::deque<EventFrame> events_;
+    std::optional<CalibrationFrame> last_calibration_;
+    std::deque<Nanoseconds> round_trips_;
+    HostTime next_sync_{};
+    std::uint16_t cookie_ = 0;
+    SourceCounts counts_;
+    std::uint64_t missed_exposures_ = 0, control_failures_ = 0;
+    std::uint32_t dropped_by_device_ = 0;
+};
+
+static_assert(Source<GazeSource>);
+
+}  // namespace foverig::gaze

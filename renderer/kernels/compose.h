@@ -1,0 +1,48 @@
+#pragma once
+#include "renderer/counts.h"
+#include "renderer/half.h"
+#include "renderer/kernels/light_rays.h"
+
+namespace foverig {
+
+/// The light buffer's share of a surface's colour: kd (E / pi + ambient * openness).
+RIG_INLINE vec3 lit(const vec3& diffuse, const vec3& irradiance, float occlusion, const vec3& ambient, bool occluded) {
+    return diffuse * (irradiance * kInversePi + (occluded ? ambient * occlusion : vec3(0.0F)));
+}
+
+/// NaN and infinity are counted and shown black, so that one bad pixel cannot spread through history.
+RIG_INLINE vec3 checked(const vec3& c, NumericCounts& counts) {
+    const float sum = c.x + c.y + c.z;
+    if (sum - sum == 0.0F) return c;             // false for NaN and infinity alone
+    if (sum != sum) ++counts.nan;
+    else ++counts.inf;
+    return vec3(0.0F);
+}
+
+/// Final colour of the i-th queued pixel, straight into an image (the `full` pipeline's last pass).
+template <bool kOcclusion, bool kLightBuffer>
+struct ComposePixels {
+    Surfaces surfaces;
+    View<const PackedPixel> pixels;
+    View<const std::uint32_t> slots;
+    vec3 ambient;
+    vec3 background;
+    View<Half4> image;
+    int width_px;
+    NumericCounts* numerics;
+
+    RIG_HD void operator()(int i) const {
+        const PackedPixel p = pixels[static_cast<std::size_t>(i)];
+        const std::uint32_t slot = slots[static_cast<std::size_t>(i)];
+        vec3 colour = background;
+        if (slot != 0xFFFFFFFFU) {
+            const int s = static_cast<int>(slot);
+            colour = surfaces.get3(Row::colour_r, s);
+            if constexpr (kLightBuffer)
+                colour += lit(surfaces.get3(Row::diffuse_r, s), surfaces.get3(Row::irradiance_r, s), surfaces.at(Row::occlusion, s), ambient, kOcclusion);
+        }
+        image[static_cast<std::size_t>(pixel_y(p)) * static_cast<std::size_t>(width_px) + pixel_x(p)] = pack_half4(vec4(checked(colour, *numerics), 0.0F));
+    }
+};
+
+}  // namespace foverig

@@ -1,0 +1,69 @@
+#include "renderer/pipelines/core.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace foverig {
+namespace {
+
+std::int64_t now_ns() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+embree::EmbreeSettings embree_settings(const EffectPlan& plan, const RenderSettings& settings) {
+    embree::EmbreeSettings s;
+    s.alpha_test = plan.on(Effect::alpha_mask);
+    s.robust = settings.robust_tracing;
+    s.threads = settings.threads;
+    return s;
+}
+
+}  // namespace
+
+PipelineCore::PipelineCore(std::shared_ptr<const Scene> scene, const RenderSettings& settings)
+    : scene_(std::move(scene)),
+      settings_(settings),
+      plan_(*scene_, settings),
+      backend_(*scene_, embree_settings(plan_, settings)),
+      tables_(memory_, plan_, *scene_, settings.lighting) {
+    for (int i = 0; i < backend_.threads(); ++i) scratches_.emplace_back(memory_, plan_);
+}
+
+void PipelineCore::begin_frame(const FrameInput& input) {
+    frame_start_ns_ = now_ns();
+    if (plan_.on(Effect::moving_geometry)) {
+        backend_.scene().set_time(input.time_s);
+        backend_.add_pass("move_geometry", now_ns() - frame_start_ns_);
+    }
+    if (plan_.on(Effect::light_buffer)) tables_.update(settings_.seed, input.frame);
+}
+
+FrameStats PipelineCore::end_frame(std::uint64_t all_pixels) {
+    FrameStats stats;
+    stats.render_ms = static_cast<double>(now_ns() - frame_start_ns_) * 1e-6;
+    for (TileScratch& s : scratches_) {
+        stats.rays.primary += s.rays.primary;
+        stats.rays.shadow += s.rays.shadow;
+        stats.rays.ao += s.rays.ao;
+        stats.sampled_pixels += s.sampled_pixels;
+        stats.numerics.nan += s.numerics.nan;
+        stats.numerics.inf += s.numerics.inf;
+        stats.numerics.clamped += s.numerics.clamped;
+        s.rays = {};
+        s.numerics = {};
+        s.sampled_pixels = 0;
+    }
+    stats.all_pixels = all_pixels;
+    const PassTable passes = backend_.take_passes();
+    for (const PassTable::Entry& e : passes.entries())
+        stats.passes.push_back({std::string(e.name), static_cast<double>(e.ns) * 1e-6 / backend_.threads()});
+    ++frames_;
+    plan_.record_frame(stats.passes, frames_);
+    return stats;
+}
+
+ShadingFrame PipelineCore::shading_frame(const EyeView& eye) const {
+    return make_shading_frame(backend_.scene().view(), plan_, tables_, eye, settings_.lighting);
+}
+
+}  // namespace foverig

@@ -1,0 +1,45 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "renderer/backends/embree/cpu_backend.h"
+#include "renderer/pipelines/shade_tile.h"
+#include "renderer/renderer.h"
+
+namespace foverig {
+
+/// What every pipeline of the CPU mirror has: scene, plan, backend, light tables, a scratch a thread, and the
+/// bookkeeping around a frame.
+class PipelineCore {
+  public:
+    PipelineCore(std::shared_ptr<const Scene> scene, const RenderSettings& settings);
+
+    /// Moves what moves and draws the frame's sample points.
+    void begin_frame(const FrameInput& input);
+    /// Collects counts and pass times since begin_frame, and hands the effects their share.
+    FrameStats end_frame(std::uint64_t all_pixels);
+
+    ShadingFrame shading_frame(const EyeView& eye) const;
+    TileScratch& scratch(int thread) { return scratches_[static_cast<std::size_t>(thread)]; }
+
+    const RenderSettings& settings() const { return settings_; }
+    const EffectPlan& plan() const { return plan_; }
+    EffectPlan& plan() { return plan_; }
+    embree::CpuBackend& backend() { return backend_; }
+    MemoryCount& memory() { return memory_; }
+    const Scene& scene() const { return *scene_; }
+    std::uint64_t bytes() const { return memory_.bytes + backend_.scene().bytes(); }
+
+  private:
+    std::shared_ptr<const Scene> scene_;
+    RenderSettings settings_;
+    EffectPlan plan_;
+    MemoryCount memory_;
+    embree::CpuBackend backend_;
+    LightTables tables_;
+    std::vector<TileScratch> scratches_;
+    std::int64_t frame_start_ns_ = 0;
+    std::uint64_t frames_ = 0;
+};
+
+}  // namespace foverig

@@ -1,0 +1,5 @@
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <fstream>
+
+#define TINYGLTF_IMPLEMENTATION
+#include "renderer/scene/tinygltf.h"

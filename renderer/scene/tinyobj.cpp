@@ -1,0 +1,3 @@
+#pragma GCC diagnostic ignored "-Wunused-function"
+#define TINYOBJLOADER_IMPLEMENTATION
+#include "renderer/scene/tinyobj.h"

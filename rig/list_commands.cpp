@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include "renderer/scene/library.h"
+#include "rig/commands.h"
+#include "simulators/faults/faults.h"
+#include "simulators/motion/catalog.h"
+
+namespace foverig {
+namespace {
+
+void print_row(std::string_view name, std::string_view text) {
+    fmt::print("  {:<24} {}\n", name, text);
+}
+
+}  // namespace
+
+ExitCode scenes_command() {
+    fmt::print("Built-in scenes (foverig run --scene NAME):\n");
+    for (const BuiltinInfo& scene : builtin_scenes()) print_row(scene.name, scene.summary);
+    fmt::print("Any OBJ, glTF, GLB or PLY file is a scene too (foverig run --scene FILE; "
+               "--set scene_scale=0.001 for millimetres).\n");
+    return ExitCode::good;
+}
+
+ExitCode devices_command() {
+    fmt::print("Simulated devices (--devices sim); they speak the bytes of the real ones:\n");
+    print_row("dk2", "Oculus Rift DK2: inertial sensor at 1 kHz, 75 Hz panel with pixel read-back");
+    print_row("gaze", "binocular gaze tracker, 60 Hz");
+    print_row("virtual", "the DK2's panel: VSync, rolling scan-out, persistence");
+    fmt::print("\nHead motions (motion.head):\n");
+    for (const auto& model : motion::head_motions()) print_row(model.name, model.meaning);
+    fmt::print("\nEye motions (motion.gaze):\n");
+    for (const auto& model : motion::eye_motions()) print_row(model.name, model.meaning);
+    fmt::print("\nFaults (faults.<device>.<kind>), each off until it is named:\n");
+    for (const FaultInfo& fault : known_faults()) {
+        print_row(fmt::format("{}.{}", fault.device, fault.kind),
+                  fmt::format("{} ({}; typical {})", fault.meaning, fault.unit, fault.typical));
+    }
+    fmt::print("\nReal devices come with a later version.\n");
+    return ExitCode::good;
+}
+
+}  // namespace foverig

@@ -1,0 +1,17 @@
+#pragma once
+#include <memory>
+
+#include "renderer/renderer.h"
+#include "rig/scenario/scenario.h"
+
+namespace foverig {
+
+/// The scenario's scene. Throws UsageError for a name that is neither built in nor a file, with the
+/// nearest built-in one; SceneError for a file that cannot be used.
+std::shared_ptr<const Scene> open_scene(const Scenario& scenario);
+
+/// make_renderer, with what it refuses as UsageError.
+std::unique_ptr<Renderer> open_renderer(std::shared_ptr<const Scene> scene,
+                                        const RenderSettings& settings);
+
+}  // namespace foverig

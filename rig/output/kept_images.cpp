@@ -1,0 +1,112 @@
+#include "rig/output/kept_images.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "rig/output/panel_picture.h"
+
+namespace foverig {
+namespace {
+
+constexpr float kErrorGain = 8.0F;
+constexpr std::array<const char*, 2> kEyeNames{"left", "right"};
+
+float as_seen(float linear) { return srgb_from_linear(std::clamp(linear, 0.0F, 1.0F)); }
+
+}  // namespace
+
+KeptImages::KeptImages(const Scenario& scenario)
+    : settings_(scenario.images), on_wall_clock_(scenario.clock == "wall") {}
+
+bool KeptImages::wanted(const FrameInput& input, double share) const {
+    if (!settings_.frames.empty()) {
+        const auto& frames = settings_.frames;
+        return std::find(frames.begin(), frames.end(), std::int64_t{input.frame}) != frames.end();
+    }
+    const auto kept = static_cast<double>(frames_.size());
+    if (kept >= settings_.count) return false;
+    // Copying takes time that a wall clock does not forgive: there, only the last frame is kept.
+    if (on_wall_clock_) return share >= 1.0;
+    return share >= (kept + 1.0) / settings_.count;
+}
+
+bool KeptImages::frame_done(const FrameInput& input, const Renderer& renderer, double share) {
+    if (!wanted(input, share)) return false;
+    keep(input, renderer);
+    return true;
+}
+
+void KeptImages::run_done(const FrameInput& last, const Renderer& renderer) {
+    if (frames_.empty() && settings_.frames.empty() && settings_.count > 0) keep(last, renderer);
+}
+
+void KeptImages::keep(const FrameInput& input, const Renderer& renderer) {
+    Frame frame{input, {}};
+    for (int eye = 0; eye < static_cast<int>(input.eyes.size()); ++eye) {
+        frame.eyes.push_back({.final = renderer.image(eye),
+                              .sampling = renderer.sampling_mask(eye),
+                              .resampling = renderer.resampling_mask(eye),
+                              .error = {}});
+    }
+    frames_.push_back(std::move(frame));
+}
+
+void KeptImages::compare_with(Renderer& full) {
+    for (Frame& frame : frames_) {
+        full.render(frame.input);
+        for (std::size_t eye = 0; eye < frame.eyes.size(); ++eye) {
+            const Image truth = full.image(static_cast<int>(eye));
+            EyeImages& images = frame.eyes[eye];
+            images.error = difference(images.final, truth, kErrorGain);
+            images.mean_absolute_error = mean_absolute_error(images.final, truth);
+        }
+    }
+}
+
+nlohmann::json KeptImages::write(const std::filesystem::path& folder) const {
+    nlohmann::json list = nlohmann::json::array();
+    std::filesystem::create_directories(folder / "images");
+    for (const Frame& frame : frames_) {
+        const auto add = [&](const char* eye, const char* kind, const auto& image) {
+            if (image.pixels.empty()) return;
+            const std::string name = fmt::format("images/frame_{:06}{}{}_{}.png", frame.input.frame,
+                                                 *eye == '\0' ? "" : "_", eye, kind);
+            write_png(folder / name, image);
+            list.push_back({{"frame", frame.input.frame}, {"eye", eye}, {"kind", kind},
+                            {"file", name}});
+        };
+        for (std::size_t eye = 0; eye < frame.eyes.size(); ++eye) {
+            const EyeImages& images = frame.eyes[eye];
+            add(kEyeNames[eye], "final", images.final);
+            add(kEyeNames[eye], "sampling", images.sampling);
+            add(kEyeNames[eye], "resampling", images.resampling);
+            add(kEyeNames[eye], "error", images.error);
+            if (images.mean_absolute_error >= 0.0) {
+                list.back()["mean_absolute_error"] = images.mean_absolute_error;
+            }
+        }
+        add("", "panel", panel_picture(frame.eyes[0].final,
+                                       frame.eyes.size() > 1 ? frame.eyes[1].final : Image{}));
+    }
+    return list;
+}
+
+Image difference(const Image& a, const Image& b, float gain) {
+    Image out{a.width_px, a.height_px, {}};
+    out.pixels.reserve(a.pixels.size());
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        vec3 seen(0.0F);
+        for (int c = 0; c < 3; ++c) {
+            const float apart = std::abs(as_seen(a.pixels[i][c]) - as_seen(b.pixels[i][c]));
+            seen[c] = linear_from_srgb(std::min(1.0F, gain * apart));
+        }
+        out.pixels.push_back(seen);
+    }
+    return out;
+}
+
+}  // namespace foverig

@@ -1,0 +1,56 @@
+#pragma once
+// Images of chosen frames: copied while the run goes on, judged and written once it is over, so that
+// neither is on any frame's time.
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "renderer/renderer.h"
+#include "rig/scenario/scenario.h"
+
+namespace foverig {
+
+class KeptImages {
+  public:
+    explicit KeptImages(const Scenario& scenario);
+
+    /// Copies the renderer's last frame if it is one to keep. `share` of the run is done by now.
+    bool frame_done(const FrameInput& input, const Renderer& renderer, double share);
+
+    /// Keeps the last frame after all, where a run ended before any was kept.
+    void run_done(const FrameInput& last, const Renderer& renderer);
+
+    /// Compares every kept frame with `full` rendered from the same input, if any was kept.
+    void compare_with(Renderer& full);
+
+    /// Writes images/*.png below `folder`; returns the summary's list
+    /// [{frame, eye, kind, file, mean_absolute_error}].
+    nlohmann::json write(const std::filesystem::path& folder) const;
+
+    bool empty() const { return frames_.empty(); }
+
+  private:
+    struct EyeImages {
+        Image final;
+        Mask sampling;
+        Mask resampling;
+        Image error;                          ///< difference to full, kErrorGain times; or empty
+        double mean_absolute_error = -1.0;    ///< < 0: not compared
+    };
+    struct Frame {
+        FrameInput input;
+        std::vector<EyeImages> eyes;
+    };
+    bool wanted(const FrameInput& input, double share) const;
+    void keep(const FrameInput& input, const Renderer& renderer);
+
+    ImageSettings settings_;
+    bool on_wall_clock_;
+    std::vector<Frame> frames_;
+};
+
+/// |a - b| of each pixel as seen (sRGB), `gain` times, for looking at.
+Image difference(const Image& a, const Image& b, float gain);
+
+}  // namespace foverig

@@ -1,0 +1,83 @@
+#include "rig/output/run_folder.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "rig/failure.h"
+
+namespace foverig {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path next_free() {
+    for (int i = 1;; ++i) {
+        fs::path place = fs::path("runs") / fmt::format("{:03}", i);
+        if (!fs::exists(place)) return place;
+    }
+}
+
+void check_replaceable(const fs::path& place) {
+    if (!fs::exists(place)) return;
+    if (!fs::is_directory(place)) {
+        throw UsageError(fmt::format("--out {}: is a file; expected a folder", place.string()));
+    }
+    if (!fs::is_empty(place) && !fs::exists(place / "summary.json")) {
+        throw UsageError(fmt::format(
+            "--out {}: holds files that are no run; expected a new, an empty or a run folder",
+            place.string()));
+    }
+}
+
+/// Beside the place, so that renaming stays within one file system.
+fs::path beside(const fs::path& place, const char* suffix) {
+    fs::path other = place;
+    other += fmt::format(".{}-{}", suffix, getpid());
+    return other;
+}
+
+}  // namespace
+
+RunFolder::RunFolder(const std::optional<fs::path>& out)
+    : place_(out ? (*out / "").parent_path() : next_free()), draft_(beside(place_, "draft")) {
+    check_replaceable(place_);
+    std::error_code error;
+    fs::create_directories(draft_, error);
+    if (error) {
+        throw UsageError(fmt::format("--out {}: cannot be written: {}; expected a folder that may "
+                                     "be made", place_.string(), error.message()));
+    }
+}
+
+RunFolder::~RunFolder() {
+    std::error_code ignored;    // a destructor has nobody to tell
+    fs::remove_all(draft_, ignored);
+}
+
+void RunFolder::write(const fs::path& name, std::string_view text) const {
+    write_text(draft_ / name, text);
+}
+
+void RunFolder::publish() {
+    const fs::path old = beside(place_, "old");
+    if (fs::exists(place_)) fs::rename(place_, old);
+    fs::rename(draft_, place_);
+    fs::remove_all(old);
+}
+
+void write_text(const fs::path& file, std::string_view text) {
+    std::ofstream stream(file, std::ios::binary);
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    stream.close();
+    if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+}
+
+void replace_text(const fs::path& file, std::string_view text) {
+    const fs::path draft = beside(file, "draft");
+    write_text(draft, text);
+    fs::rename(draft, file);
+}
+
+}  // namespace foverig

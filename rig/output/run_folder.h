@@ -1,0 +1,37 @@
+#pragma once
+// A run folder is written whole or not at all: beside its place first, then renamed into it.
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace foverig {
+
+class RunFolder {
+  public:
+    /// `out`, or the next free runs/NNN. Throws UsageError where `out` holds anything but an older
+    /// run, which `publish` replaces.
+    explicit RunFolder(const std::optional<std::filesystem::path>& out);
+    /// Removes what was not published.
+    ~RunFolder();
+    RunFolder(const RunFolder&) = delete;
+    RunFolder& operator=(const RunFolder&) = delete;
+
+    /// Where to write until `publish`.
+    const std::filesystem::path& draft() const { return draft_; }
+    const std::filesystem::path& place() const { return place_; }
+
+    void write(const std::filesystem::path& name, std::string_view text) const;
+    void publish();
+
+  private:
+    std::filesystem::path place_;
+    std::filesystem::path draft_;
+};
+
+/// Throws std::runtime_error with the path where the text cannot be written in full.
+void write_text(const std::filesystem::path& file, std::string_view text);
+
+/// The same, whole or not at all: beside it first, then renamed.
+void replace_text(const std::filesystem::path& file, std::string_view text);
+
+}  // namespace foverig

@@ -1,0 +1,150 @@
+#include "rig/program.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "renderer/check.h"
+#include "renderer/scene/error.h"
+#include "rig/commands.h"
+#include "rig/identity/build_info.h"
+#include "rig/scenario/write.h"
+#include "rig/scenario_options.h"
+
+namespace foverig {
+namespace {
+
+struct RunOptions {
+    ScenarioOptions scenario;
+    std::string out;
+    std::vector<std::string> fail_if;
+    bool json = false;
+    bool help_scenario = false;
+};
+
+struct PlanOptions {
+    ScenarioOptions scenario;
+    bool no_run = false;
+    bool json = false;
+};
+
+void add_run(CLI::App& app, RunOptions& options) {
+    CLI::App& run = *app.add_subcommand("run", "frame loop; writes a run folder with a report");
+    options.scenario.add_to(run);
+    run.add_option("--out", options.out, "run folder to write; none: the next free runs/NNN")
+        ->type_name("DIR")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    run.add_option("--fail-if", options.fail_if,
+                   "exit with 1 if this holds of summary.json; may be given again")
+        ->type_name("'KEY > NUMBER'")
+        ->allow_extra_args(false);
+    run.add_flag("--json", options.json, "the summary as one JSON object on the last line");
+    run.add_flag("--help-scenario", options.help_scenario, "all scenario keys with their defaults");
+    run.footer("Examples:\n"
+               "  foverig run                                the built-in scenario\n"
+               "  foverig run my.toml --frames 300 --out my-run\n"
+               "  foverig run --scene sponza.glb --set foveation.configuration=small\n"
+               "  foverig run --clock lockstep --cost fixed:10 --seed 7      repeats bit for bit\n"
+               "  foverig run my.toml --fail-if 'vsync.missed_ratio > 0.01'");
+}
+
+void add_plan(CLI::App& app, PlanOptions& options) {
+    CLI::App& plan =
+        *app.add_subcommand("plan", "which effects and passes run, why, and what they cost");
+    options.scenario.add_to(plan);
+    plan.add_flag("--no-run", options.no_run, "only decide: render nothing, so costs are not known");
+    plan.add_flag("--json", options.json, "as JSON");
+    plan.footer("Examples:\n"
+                "  foverig plan --scene cornell\n"
+                "  foverig plan my.toml --set lighting.ao_samples=16");
+}
+
+void add_report(CLI::App& app, std::vector<std::string>& runs) {
+    CLI::App& report =
+        *app.add_subcommand("report", "make report.html of run folders again, from their records");
+    report.add_option("runs", runs, "run folders")->type_name("RUN...")->required();
+    report.footer("Example:\n  foverig report runs/001 runs/002");
+}
+
+std::vector<FailIf> parsed(const std::vector<std::string>& texts) {
+    std::vector<FailIf> checks;
+    for (const std::string& text : texts) checks.push_back(parse_fail_if(text));
+    return checks;
+}
+
+ExitCode run(const RunOptions& options) {
+    if (options.help_scenario) {
+        fmt::print("{}", scenario_help());
+        return ExitCode::good;
+    }
+    return run_command({.scenario = options.scenario.scenario(),
+                        .out = options.out.empty() ? std::nullopt
+                                                   : std::optional<std::filesystem::path>(options.out),
+                        .checks = parsed(options.fail_if),
+                        .json = options.json});
+}
+
+ExitCode dispatch(int argc, const char* const* argv) {
+    CLI::App app("Test and benchmark rig for foveated ray tracing on head-mounted displays. With no "
+                 "argument: the built-in scenario on simulated devices.", "foverig");
+    const BuildInfo build = build_info();
+    app.set_version_flag("--version", fmt::format("foverig {} ({}), {}", build.version,
+                                                  build.git.value_or("no commit known"),
+                                                  build.compiler));
+    app.require_subcommand(0, 1);
+    app.footer("Exit codes: 0 good, 1 a check failed, 2 usage or scenario, 3 input data, 4 device, "
+               "5 internal.");
+    RunOptions run_options;
+    PlanOptions plan_options;
+    std::vector<std::string> reports;
+    add_run(app, run_options);
+    add_plan(app, plan_options);
+    add_report(app, reports);
+    app.add_subcommand("scenes", "what there is to look at");
+    app.add_subcommand("devices", "simulated devices, motions and faults");
+    app.add_subcommand("doctor", "what works on this machine, and what to do");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        const bool asked_for = error.get_exit_code() == 0;    // --help, --version
+        app.exit(error);
+        return asked_for ? ExitCode::good : ExitCode::usage;
+    }
+    if (app.got_subcommand("plan")) {
+        return plan_command({.scenario = plan_options.scenario.scenario(),
+                             .measure = !plan_options.no_run,
+                             .json = plan_options.json});
+    }
+    if (app.got_subcommand("report")) return report_command({reports.begin(), reports.end()});
+    if (app.got_subcommand("scenes")) return scenes_command();
+    if (app.got_subcommand("devices")) return devices_command();
+    if (app.got_subcommand("doctor")) return doctor_command();
+    return run(run_options);
+}
+
+int failed(ExitCode code, const char* text) {
+    fmt::print(stderr, "foverig: {}\n", text);
+    return static_cast<int>(code);
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+    try {
+        return static_cast<int>(dispatch(argc, argv));
+    } catch (const UsageError& error) {
+        return failed(ExitCode::usage, error.what());
+    } catch (const SceneError& error) {
+        return failed(ExitCode::input, error.what());
+    } catch (const InputError& error) {
+        return failed(ExitCode::input, error.what());
+    } catch (const DeviceError& error) {
+        return failed(ExitCode::device, error.what());
+    } catch (const std::bad_alloc&) {
+        return failed(ExitCode::internal, "out of memory");
+    } catch (const std::exception& error) {
+        return failed(ExitCode::internal, error.what());
+    }
+}
+
+}  // namespace foverig

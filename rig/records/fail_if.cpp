@@ -1,0 +1,81 @@
+#include "rig/records/fail_if.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "rig/failure.h"
+#include "rig/text/nearest.h"
+
+namespace foverig {
+namespace {
+
+using nlohmann::json;
+
+void collect_numbers(const json& node, const std::string& path, std::vector<std::string>& paths) {
+    if (node.is_object()) {
+        for (const auto& [key, value] : node.items()) {
+            collect_numbers(value, path.empty() ? key : path + "." + key, paths);
+        }
+    } else if (node.is_number() || node.is_null()) {
+        paths.push_back(path);
+    }
+}
+
+/// Names may hold dots themselves (passes), so any prefix of the path may be one name.
+const json* find(const json& node, const std::string& path) {
+    if (!node.is_object()) return nullptr;
+    if (const auto whole = node.find(path); whole != node.end()) return &*whole;
+    for (auto dot = path.find('.'); dot != std::string::npos; dot = path.find('.', dot + 1)) {
+        const auto inner = node.find(path.substr(0, dot));
+        if (inner == node.end()) continue;
+        if (const json* found = find(*inner, path.substr(dot + 1))) return found;
+    }
+    return nullptr;
+}
+
+bool holds(double value, const std::string& comparison, double bound) {
+    if (comparison == "<") return value < bound;
+    if (comparison == "<=") return value <= bound;
+    if (comparison == ">") return value > bound;
+    if (comparison == ">=") return value >= bound;
+    if (comparison == "==") return value == bound;
+    return value != bound;
+}
+
+}  // namespace
+
+FailIf parse_fail_if(const std::string& text) {
+    static const std::regex pattern(R"(\s*([^\s<>=!]+)\s*(<=|>=|==|!=|<|>)\s*(\S+)\s*)");
+    std::smatch parts;
+    if (std::regex_match(text, parts, pattern)) {
+        const std::string number = parts[3];
+        FailIf check{parts[1], parts[2], 0.0};
+        const char* const end = number.data() + number.size();
+        const auto [stop, error] = std::from_chars(number.data(), end, check.bound);
+        if (error == std::errc{} && stop == end) return check;
+    }
+    throw UsageError(fmt::format(
+        "--fail-if '{}': expected KEY COMPARISON NUMBER, as in 'vsync.missed_ratio > 0.01'", text));
+}
+
+std::optional<std::string> failure(const FailIf& check, const json& summary) {
+    const json* value = find(summary, check.key);
+    if (value != nullptr && value->is_null()) {
+        return fmt::format("{} {} {}: {} is absent in this run", check.key, check.comparison,
+                           check.bound, check.key);
+    }
+    if (value == nullptr || !value->is_number()) {
+        std::vector<std::string> known;
+        collect_numbers(summary, "", known);
+        throw UsageError(fmt::format("--fail-if: summary.json has no number {}; the nearest is {}",
+                                     check.key, nearest(check.key, known)));
+    }
+    const double number = value->get<double>();
+    if (!holds(number, check.comparison, check.bound)) return std::nullopt;
+    return fmt::format("{} {} {}: it is {}", check.key, check.comparison, check.bound, number);
+}
+
+}  // namespace foverig

@@ -1,0 +1,163 @@
+#include "rig/records/summary.h"
+
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "rig/records/columns.h"
+#include "rig/records/distribution.h"
+#include "rig/records/vsync_count.h"
+
+namespace foverig {
+namespace {
+
+using nlohmann::json;
+
+template <class T>
+json or_null(const std::optional<T>& value) {
+    return value ? json(*value) : json(nullptr);
+}
+
+/// Distribution over the frames that have the value.
+json spread(const std::vector<FrameRecord>& frames,
+            const std::function<std::optional<double>(const FrameRecord&)>& value) {
+    std::vector<double> values;
+    for (const FrameRecord& frame : frames) {
+        if (const auto v = value(frame)) values.push_back(*v);
+    }
+    return to_json(distribution_of(std::move(values)));
+}
+
+/// Over the frames where the pass ran.
+json pass_times(const std::vector<FrameRecord>& frames) {
+    std::map<std::string, std::vector<double>> values;
+    for (const FrameRecord& frame : frames) {
+        for (const PassTime& pass : frame.passes) values[pass.name].push_back(pass.ms);
+    }
+    json passes = json::object();
+    for (auto& [name, ms] : values) passes[name] = to_json(distribution_of(std::move(ms)));
+    return passes;
+}
+
+std::uint64_t sum(const std::vector<FrameRecord>& frames,
+                  const std::function<std::uint64_t(const FrameRecord&)>& count) {
+    std::uint64_t total = 0;
+    for (const FrameRecord& frame : frames) total += count(frame);
+    return total;
+}
+
+json ray_means(const std::vector<FrameRecord>& frames) {
+    const auto mean = [&](auto count) -> json {
+        if (frames.empty()) return nullptr;
+        return static_cast<double>(sum(frames, count)) / static_cast<double>(frames.size());
+    };
+    using F = const FrameRecord&;
+    return {{"primary", mean([](F f) { return f.rays.primary; })},
+            {"shadow", mean([](F f) { return f.rays.shadow; })},
+            {"ao", mean([](F f) { return f.rays.ao; })},
+            {"reflection", mean([](F f) { return f.rays.reflection; })},
+            {"probe", mean([](F f) { return f.rays.probe; })},
+            {"vpl", mean([](F f) { return f.rays.vpl; })},
+            {"total", mean([](F f) { return f.rays.total(); })}};
+}
+
+json sampled_ratio(const std::vector<FrameRecord>& frames) {
+    const auto all = sum(frames, [](const FrameRecord& f) { return f.all_pixels; });
+    const auto sampled = sum(frames, [](const FrameRecord& f) { return f.sampled_pixels; });
+    if (all == 0) return nullptr;
+    return static_cast<double>(sampled) / static_cast<double>(all);
+}
+
+json vsync_json(const RunRecord& run, const VsyncCount& count) {
+    const double budget_ms = 1000.0 / run.rate_hz;
+    double busy_ms = 0.0;
+    for (const FrameRecord& frame : run.frames) busy_ms += frame_time_ms(frame);
+    json vsync = {{"rate_hz", run.rate_hz}, {"budget_ms", budget_ms}, {"total", count.total},
+                  {"missed", count.missed}, {"missed_ratio", nullptr}, {"utilisation", nullptr}};
+    if (count.total > 0) {
+        vsync["missed_ratio"] = static_cast<double>(count.missed) / static_cast<double>(count.total);
+    }
+    if (!run.frames.empty()) {
+        vsync["utilisation"] = busy_ms / static_cast<double>(run.frames.size()) / budget_ms;
+    }
+    return vsync;
+}
+
+json latencies(const std::vector<FrameRecord>& frames) {
+    return {{"motion_to_photon", spread(frames, motion_to_photon_ms)},
+            {"gaze_to_photon", spread(frames, gaze_to_photon_ms)},
+            {"imu_transport", spread(frames, imu_transport_ms)},
+            {"gaze_transport", spread(frames, gaze_transport_ms)},
+            {"motion_to_photon_readback", spread(frames, readback_ms)},
+            {"prediction_error_deg",
+             spread(frames, [](const FrameRecord& f) { return f.prediction_error_deg; })},
+            {"gaze_error_deg", spread(frames, [](const FrameRecord& f) { return f.gaze_error_deg; })}};
+}
+
+json devices_json(const std::vector<DeviceRecord>& devices) {
+    json all = json::object();
+    for (const DeviceRecord& device : devices) {
+        all[device.name] = {{"samples", device.counts.samples},
+                            {"lost", device.counts.lost},
+                            {"rejected", device.counts.rejected},
+                            {"reconnects", device.counts.reconnects},
+                            {"rate_hz", or_null(device.rate_hz)}};
+    }
+    return all;
+}
+
+json numerics_json(const std::vector<FrameRecord>& frames) {
+    using F = const FrameRecord&;
+    return {{"nan", sum(frames, [](F f) { return f.numerics.nan; })},
+            {"inf", sum(frames, [](F f) { return f.numerics.inf; })},
+            {"clamped", sum(frames, [](F f) { return f.numerics.clamped; })}};
+}
+
+}  // namespace
+
+json plan_json(const std::vector<PlannedEffect>& plan) {
+    json effects = json::array();
+    for (const PlannedEffect& effect : plan) {
+        effects.push_back({{"effect", effect.name},
+                           {"on", effect.on},
+                           {"because", effect.because},
+                           {"passes", effect.passes},
+                           {"bytes", effect.bytes},
+                           {"measured_ms", effect.measured_ms < 0.0 ? json(nullptr)
+                                                                    : json(effect.measured_ms)}});
+    }
+    return effects;
+}
+
+json summary_json(const RunRecord& run, const json& scenario, const BuildInfo& build,
+                  const HostInfo& host, std::uint64_t peak_rss) {
+    const auto& frames = run.frames;
+    const VsyncCount count = count_vsyncs(frames);
+    json summary = {{"schema", "foverig.summary/1"}};
+    summary["build"] = {{"version", build.version},   {"git", or_null(build.git)},
+                        {"compiler", build.compiler}, {"flags", build.flags},
+                        {"type", build.build_type},   {"fp_mode", build.fp_mode},
+                        {"backend", run.backend},     {"device", or_null(host.cpu)}};
+    summary["host"] = {{"cpu", or_null(host.cpu)}, {"cores", host.cores}, {"gpu", nullptr},
+                       {"os", or_null(host.os)}};
+    summary["scenario"] = scenario;
+    summary["pipeline"] = run.pipeline;
+    summary["interrupted"] = run.interrupted;
+    summary["fixed_cost"] = run.fixed_cost;
+    summary["plan"] = plan_json(run.plan);
+    summary["frames"] = {{"rendered", count.rendered}, {"presented", count.presented},
+                         {"dropped", count.dropped}, {"late", count.late}};
+    summary["frame_time_ms"] = spread(frames, frame_time_ms);
+    summary["render_time_ms"] = spread(frames, [](const FrameRecord& f) { return f.render_ms; });
+    summary["pass_time_ms"] = pass_times(frames);
+    summary["rays"] = ray_means(frames);
+    summary["sampled_pixel_ratio"] = sampled_ratio(frames);
+    summary["vsync"] = vsync_json(run, count);
+    summary["latency_ms"] = latencies(frames);
+    summary["devices"] = devices_json(run.devices);
+    summary["memory"] = {{"backend_bytes", run.backend_bytes}, {"peak_rss_bytes", peak_rss}};
+    summary["numerics"] = numerics_json(frames);
+    return summary;
+}
+
+}  // namespace foverig

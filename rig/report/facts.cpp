@@ -1,0 +1,61 @@
+#include "rig/report/facts.h"
+
+#include <fmt/format.h>
+
+#include "rig/report/markup.h"
+
+namespace foverig::report {
+
+std::string plan_table(const RunData& run) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& effect : run.summary.value("plan", nlohmann::json::array())) {
+        std::string passes;
+        for (const auto& pass : effect.value("passes", nlohmann::json::array())) {
+            passes += fmt::format("<code>{}</code> ", escaped(pass.get<std::string>()));
+        }
+        const bool on = effect.value("on", false);
+        const auto& ms = effect["measured_ms"];
+        rows.push_back({escaped(effect.value("effect", "")), on ? "<b>on</b>" : "off",
+                        escaped(effect.value("because", "")), passes,
+                        on ? bytes(effect["bytes"].get<double>()) : "",
+                        ms.is_number() ? number(ms.get<double>()) : ""});
+    }
+    return table({"effect", "", "because", "passes", "memory an eye", "ms a frame"}, rows, {4, 5});
+}
+
+std::string device_table(const RunData& run) {
+    std::vector<std::vector<std::string>> rows;
+    const auto devices = run.summary.value("devices", nlohmann::json::object());
+    for (const auto& [name, device] : devices.items()) {
+        const char* key = name.c_str();
+        const auto cell = [&](const char* what) { return count(run.number({"devices", key, what})); };
+        rows.push_back({escaped(name), cell("samples"), number(run.number({"devices", key, "rate_hz"})),
+                        cell("lost"), cell("rejected"), cell("reconnects")});
+    }
+    return table({"device", "samples", "rate Hz", "lost", "rejected", "reconnects"}, rows,
+                 {1, 2, 3, 4, 5});
+}
+
+std::string resource_table(const RunData& run) {
+    std::vector<std::vector<std::string>> rows;
+    for (const char* kind : {"primary", "shadow", "ao", "reflection", "probe", "vpl"}) {
+        const auto rays = run.number({"rays", kind});
+        if (rays.value_or(0.0) > 0.0) {
+            rows.push_back({fmt::format("{} rays a frame", kind), count(rays)});
+        }
+    }
+    rows.push_back({"memory of the backend", bytes(run.number({"memory", "backend_bytes"}))});
+    rows.push_back({"most memory of the process", bytes(run.number({"memory", "peak_rss_bytes"}))});
+    rows.push_back({"NaN, infinities, clamped values in kernels",
+                    fmt::format("{}, {}, {}", count(run.number({"numerics", "nan"})),
+                                count(run.number({"numerics", "inf"})),
+                                count(run.number({"numerics", "clamped"})))});
+    return table({"", ""}, rows, {1});
+}
+
+std::string scenario_listing(const RunData& run) {
+    return fmt::format("<details><summary>Scenario, resolved</summary><pre>{}</pre></details>",
+                       escaped(run.summary.value("scenario", nlohmann::json::object()).dump(2)));
+}
+
+}  // namespace foverig::report

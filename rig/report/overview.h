@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "rig/report/run_data.h"
+
+namespace foverig::report {
+
+/// Title, the answer in one sentence, the numbers that matter, and what was measured on what.
+std::string overview(const RunData& run);
+
+}  // namespace foverig::report

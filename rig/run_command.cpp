@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "rig/commands.h"
+#include "rig/identity/build_info.h"
+#include "rig/identity/host_info.h"
+#include "rig/interrupt.h"
+#include "rig/open_scene.h"
+#include "rig/output/kept_images.h"
+#include "rig/output/run_folder.h"
+#include "rig/progress.h"
+#include "rig/records/frames_csv.h"
+#include "rig/records/summary.h"
+#include "rig/report/page.h"
+#include "rig/scenario/write.h"
+#include "rig/session/session.h"
+#include "rig/summary_text.h"
+
+namespace foverig {
+namespace {
+
+RunRecord run_session(const Scenario& scenario, const Scene& scene, Renderer& renderer,
+                      KeptImages& images) {
+    Session session(scenario, scene, renderer, nullptr);
+    const Interrupt interrupt;
+    Progress progress;
+    std::optional<FrameInput> last;
+    SessionHooks hooks;
+    hooks.stop_requested = [&] { return interrupt.requested(); };
+    hooks.progress = [&](const SessionProgress& done) { progress.show(done); };
+    hooks.frame_done = [&](const FrameRecord&, const FrameInput& input, double share) {
+        last = input;
+        return images.frame_done(input, renderer, share);
+    };
+    RunRecord run = session.run(hooks);
+    progress.done();
+    if (last) images.run_done(*last, renderer);
+    return run;
+}
+
+void compare_with_full(const Scenario& scenario, const std::shared_ptr<const Scene>& scene,
+                       KeptImages& images) {
+    if (!scenario.images.error || scenario.render.pipeline == "full" || images.empty()) return;
+    fmt::print(stderr, "rendering the kept frames in full, to compare\n");
+    RenderSettings settings = scenario.render;
+    settings.pipeline = "full";
+    images.compare_with(*open_renderer(scene, settings));
+}
+
+void write_records(const RunFolder& folder, const Scenario& scenario, const RunRecord& run,
+                   const nlohmann::json& summary) {
+    folder.write("scenario.toml", scenario_toml(scenario));
+    folder.write("frames.csv",
+                 frames_csv(run.frames, run.fixed_cost ? WallTimes::omit : WallTimes::keep));
+    folder.write("plan.json", plan_json(run.plan).dump(2) + "\n");
+    folder.write("summary.json", summary.dump(2) + "\n");
+}
+
+/// The checks that failed, said on stderr.
+ExitCode judged(const std::vector<FailIf>& checks, const nlohmann::json& summary) {
+    ExitCode code = ExitCode::good;
+    for (const FailIf& check : checks) {
+        if (const auto why = failure(check, summary)) {
+            fmt::print(stderr, "check failed: {}\n", *why);
+            code = ExitCode::check_failed;
+        }
+    }
+    const auto nan = summary["numerics"]["nan"].get<std::uint64_t>();
+    if (nan > 0) {
+        fmt::print(stderr, "not valid: kernels met NaN {} times; please report this scenario\n", nan);
+        code = ExitCode::internal;
+    }
+    return code;
+}
+
+}  // namespace
+
+ExitCode run_command(const RunRequest& request) {
+    const Scenario& scenario = request.scenario;
+    RunFolder folder(request.out);
+    fmt::print(stderr, "loading {}\n", scenario.scene);
+    const auto scene = open_scene(scenario);
+    auto renderer = open_renderer(scene, scenario.render);
+    KeptImages images(scenario);
+    const RunRecord run = run_session(scenario, *scene, *renderer, images);
+    const std::uint64_t rss_bytes = peak_rss_bytes();
+    renderer.reset();    // the comparison needs the memory
+    compare_with_full(scenario, scene, images);
+
+    nlohmann::json summary =
+        summary_json(run, scenario_json(scenario), build_info(), host_info(), rss_bytes);
+    summary["images"] = images.write(folder.draft());
+    write_records(folder, scenario, run, summary);
+    folder.write("report.html", report::page(report::read_run(folder.draft())));
+    folder.publish();
+
+    fmt::print("{}", summary_text(summary));
+    fmt::print("report: {}\n", std::filesystem::absolute(folder.place() / "report.html").string());
+    if (request.json) fmt::print("{}\n", summary.dump());
+    return judged(request.checks, summary);
+}
+
+}  // namespace foverig

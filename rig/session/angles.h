@@ -1,0 +1,21 @@
+#pragma once
+#include <cmath>
+
+#include "devices/math.h"
+
+namespace foverig {
+
+inline double degrees(double rad) { return glm::degrees(rad); }
+
+/// Between two unit directions; accurate for small angles too.
+inline double angle_deg(const dvec3& a, const dvec3& b) {
+    return degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
+
+/// Of the rotation that leads from one orientation to the other.
+inline double angle_deg(const dquat& a, const dquat& b) {
+    const dquat turn = glm::conjugate(a) * b;
+    return degrees(2.0 * std::atan2(glm::length(dvec3(turn.x, turn.y, turn.z)), std::abs(turn.w)));
+}
+
+}  // namespace foverig

@@ -1,0 +1,34 @@
+#include "rig/session/gaze_tracker.h"
+
+#include "rig/session/device_rate.h"
+#include "rig/session/open_device.h"
+
+namespace foverig {
+
+GazeTracker::GazeTracker(Transport& transport, const Clock& clock)
+    : source_(opened("gaze", gaze::GazeSource::open(transport, clock))) {}
+
+void GazeTracker::read_until(HostTime deadline) {
+    while (true) {
+        const auto next = source_.next(deadline);
+        const auto* sample = std::get_if<GazeSample>(&next);
+        if (sample == nullptr) return;
+        filter_.add(*sample);
+        if (!first_) first_ = sample->host_time;
+        newest_any_ = {sample->host_time, sample->arrival};
+        const bool seen = sample->left.ray.valid || sample->right.ray.valid || sample->combined.valid;
+        if (seen) newest_ = newest_any_;
+    }
+}
+
+std::array<dvec3, 2> GazeTracker::at(HostTime photon) const {
+    const FilteredGaze gaze = filter_.at(photon);
+    return {gaze.left.direction, gaze.right.direction};
+}
+
+DeviceRecord GazeTracker::record() const {
+    return {"gaze", source_.counts(),
+            sample_rate_hz(source_.counts().samples, first_, newest_any_)};
+}
+
+}  // namespace foverig

@@ -1,0 +1,36 @@
+#pragma once
+// From the gaze tracker's bytes to where each eye looks when the light comes.
+#include <array>
+#include <optional>
+
+#include "devices/gaze/gaze_filter.h"
+#include "devices/gaze/gaze_source.h"
+#include "devices/transport.h"
+#include "rig/records/frame_record.h"
+#include "rig/records/run_record.h"
+
+namespace foverig {
+
+class GazeTracker {
+  public:
+    /// Throws DeviceError where the tracker does not answer. Both outlive this.
+    GazeTracker(Transport& transport, const Clock& clock);
+
+    /// Takes all that arrived by `deadline`. A fault (unplugged) leaves the last gaze standing.
+    void read_until(HostTime deadline);
+
+    /// Unit directions of the left and right eye in the head's frame, for light at `photon`.
+    std::array<dvec3, 2> at(HostTime photon) const;
+    /// Newest sample in which an eye was seen.
+    const std::optional<SampleInstants>& newest() const { return newest_; }
+    DeviceRecord record() const;
+
+  private:
+    gaze::GazeSource source_;
+    GazeFilter filter_;
+    std::optional<HostTime> first_;
+    std::optional<SampleInstants> newest_;
+    std::optional<SampleInstants> newest_any_;
+};
+
+}  // namespace foverig

@@ -1,0 +1,204 @@
+#include "rig/session/session.h"
+
+#include <algorithm>
+
+#include "rig/session/angles.h"
+
+namespace foverig {
+namespace {
+
+constexpr Nanoseconds kSettleStep{10'000'000};
+constexpr Nanoseconds kReadbackTail{60'000'000};    // read-backs come one or two VSyncs late
+
+constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
+
+/// Sources start at yaw 0, which no gravity corrects; the truth says where the head was.
+HeadFusionConfig aligned_fusion(const dquat& true_head) {
+    const dvec3 ahead = true_head * dvec3(0.0, 0.0, -1.0);
+    return {.initial_yaw_rad = std::atan2(-ahead.x, -ahead.z)};
+}
+
+std::size_t eye_count(const Scenario& scenario) {
+    return static_cast<std::size_t>(scenario.display.eyes);
+}
+
+HostTime mean_of(HostTime a, HostTime b) { return a + (b - a) / 2; }
+
+}  // namespace
+
+Session::Session(const Scenario& scenario, const Scene& scene, Renderer& renderer, LensPass* lens)
+    : scenario_(scenario),
+      renderer_(renderer),
+      lens_(lens),
+      clock_(scenario.clock, parse_cost(scenario.cost).value_or(Cost{})),
+      world_(scenario, clock_.clock()),
+      head_(world_.headset(), clock_.now(), aligned_fusion(world_.true_head(clock_.now()))),
+      gaze_(world_.gaze_tracker(), clock_.clock()),
+      flight_(scenario.camera, scene),
+      views_(scenario.display),
+      pacing_(scenario.display.pacing, world_.display()) {}
+
+RunRecord Session::run(const SessionHooks& hooks) {
+    settle();
+    start_ = clock_.now();
+    bool interrupted = false;
+    while (share_done(frames_.size()) < 1.0) {
+        if (hooks.stop_requested()) {
+            interrupted = true;
+            break;
+        }
+        FrameRecord frame;
+        frame.frame = static_cast<std::uint32_t>(frames_.size());
+        frame.wake_up = pacing_.wake_up(clock_.now());
+        clock_.clock().sleep_until(frame.wake_up);
+        clock_.start_work();
+        frame.begin = clock_.now();
+        frame.aimed_vsync = pacing_.aimed_vsync(frame.begin);
+        const HostTime expected_vsync = pacing_.expected_vsync(frame.begin);
+        read_devices(frame.begin);
+        FrameInput input = input_for(frame, expected_vsync);
+        render_frame(frame, input);
+        present(frame, expected_vsync);
+        judge(frame, input);
+        frames_.push_back(std::move(frame));
+        FrameRecord& done = frames_.back();
+        const double share = share_done(frames_.size());
+        done.image_kept = hooks.frame_done(done, input, share);
+        hooks.progress({frames_.size(), std::min(share, 1.0), to_ms(done.present - done.begin)});
+    }
+    return finish(interrupted);
+}
+
+void Session::settle() {
+    const HostTime until = clock_.now() + from_seconds(scenario_.settle_s);
+    while (clock_.now() < until) {
+        clock_.clock().sleep_until(std::min(until, clock_.now() + kSettleStep));
+        read_devices(clock_.now());
+    }
+}
+
+void Session::read_devices(HostTime deadline) {
+    head_.read_until(deadline);
+    gaze_.read_until(deadline);
+    match_readbacks();
+}
+
+FrameInput Session::input_for(FrameRecord& frame, HostTime expected_vsync) {
+    const PanelTiming& timing = world_.display().timing();
+    frame.pose = head_.newest();
+    frame.gaze = gaze_.newest();
+    const auto eyes = eye_count(scenario_);
+    const HostTime first = timing.photon(expected_vsync, kEyes.front());
+    frame.predicted_photon = mean_of(first, timing.photon(expected_vsync, kEyes[eyes - 1]));
+
+    FrameInput input;
+    input.frame = frame.frame;
+    input.time_s = to_seconds(frame.predicted_photon - start_);
+    const Stand stand = flight_.at(input.time_s);
+    for (std::size_t i = 0; i < eyes; ++i) {
+        const HostTime photon = timing.photon(expected_vsync, kEyes[i]);
+        poses_[i] = head_.predict(photon);
+        input.eyes.push_back(views_.eye(kEyes[i], stand, poses_[i], gaze_.at(photon)[i]));
+        frame.gaze_direction[i] = input.eyes[i].gaze;
+    }
+    const Pose middle = head_.predict(frame.predicted_photon);
+    frame.world_from_head = middle.world_from_head;
+    frame.head_position_m = stand.position_m + stand.world_from_body * middle.position_m;
+    return input;
+}
+
+void Session::render_frame(FrameRecord& frame, FrameInput& input) {
+    FrameStats stats = renderer_.render(input);
+    clock_.end_work(1.0);
+    frame.submit = clock_.now();
+    frame.render_ms = stats.render_ms;
+    frame.passes = std::move(stats.passes);
+    frame.rays = stats.rays;
+    frame.sampled_pixels = stats.sampled_pixels;
+    frame.all_pixels = stats.all_pixels;
+    frame.numerics = stats.numerics;
+    if (lens_ != nullptr) frame.passes.push_back(lens_->warp(renderer_));
+}
+
+void Session::present(FrameRecord& frame, HostTime expected_vsync) {
+    clock_.end_work(0.0);    // a fixed cost is the whole frame's: none is left for the distortion
+    frame.present = clock_.now();
+    FrameOnPanel on_panel{.frame_id = frame.frame};
+    if (frame.pose) {
+        on_panel.latency_level = latency_tester_.mark({.frame_id = frame.frame,
+                                                       .imu_sample = frame.pose->taken,
+                                                       .submit = frame.present,
+                                                       .predicted_scan_out = expected_vsync});
+    }
+    show(frame, world_.display().present(on_panel, frame.present));
+    pacing_.frame_done(frame.begin, frame.present);
+}
+
+void Session::show(FrameRecord& frame, const Presentation& shown) {
+    if (shown.replaced && !frames_.empty()) frames_.back().drop();
+    const PanelTiming& timing = world_.display().timing();
+    frame.shown_vsync = shown.vsync_number;
+    frame.vsync = shown.vsync;
+    const auto eyes = eye_count(scenario_);
+    for (std::size_t i = 0; i < eyes; ++i) {
+        frame.photon_eye[i] = timing.photon(shown.vsync, kEyes[i]);
+    }
+    frame.photon = mean_of(*frame.photon_eye[0], *frame.photon_eye[eyes - 1]);
+    const auto before = std::find_if(frames_.rbegin(), frames_.rend(),
+                                     [](const FrameRecord& f) { return !f.dropped(); });
+    if (before != frames_.rend()) {
+        frame.missed_vsyncs = static_cast<std::uint32_t>(shown.vsync_number - *before->shown_vsync - 1);
+    }
+}
+
+void Session::judge(FrameRecord& frame, const FrameInput& input) const {
+    double error_deg = 0.0;
+    for (std::size_t i = 0; i < input.eyes.size(); ++i) {
+        error_deg += angle_deg(poses_[i].world_from_head, world_.true_head(*frame.photon_eye[i]));
+    }
+    frame.prediction_error_deg = error_deg / static_cast<double>(input.eyes.size());
+    frame.gaze_error_deg =
+        angle_deg(dvec3(input.eyes[0].gaze), world_.true_gaze(*frame.photon_eye[0])[0]);
+}
+
+void Session::match_readbacks() {
+    for (const auto& readback : head_.take_panel_readbacks()) {
+        for (const LatencyReading& reading : latency_tester_.read_back(
+                 readback.frame_count, readback.vsync, readback.grey)) {
+            if (reading.frame_id >= frames_.size()) continue;
+            FrameRecord& frame = frames_[reading.frame_id];
+            if (frame.pose && !frame.dropped()) {
+                frame.readback_scan_out = frame.pose->taken + reading.motion_to_scan_out;
+            }
+        }
+    }
+}
+
+double Session::share_done(std::uint64_t frames) const {
+    double share = 0.0;
+    if (scenario_.frames > 0) {
+        share = static_cast<double>(frames) / static_cast<double>(scenario_.frames);
+    }
+    if (scenario_.seconds > 0.0) {
+        share = std::max(share, to_seconds(clock_.now() - start_) / scenario_.seconds);
+    }
+    return share;
+}
+
+RunRecord Session::finish(bool interrupted) {
+    clock_.clock().sleep_until(clock_.now() + kReadbackTail);
+    read_devices(clock_.now());
+    RunRecord run;
+    run.frames = std::move(frames_);
+    run.devices = {head_.record(), gaze_.record()};
+    run.plan = renderer_.plan().effects();
+    run.pipeline = scenario_.render.pipeline;
+    run.backend = renderer_.backend_name();
+    run.backend_bytes = renderer_.backend_bytes();
+    run.rate_hz = scenario_.display.rate_hz;
+    run.fixed_cost = clock_.fixed_cost();
+    run.interrupted = interrupted;
+    return run;
+}
+
+}  // namespace foverig

@@ -1,0 +1,70 @@
+#pragma once
+// The frame loop: from bytes of devices to light, with every instant recorded. The same code drives
+// wall and lockstep clocks, and will drive real devices as it does simulated ones.
+#include <functional>
+
+#include "devices/display/latency_tester.h"
+#include "renderer/renderer.h"
+#include "rig/records/run_record.h"
+#include "rig/scenario/scenario.h"
+#include "rig/session/eye_views.h"
+#include "rig/session/gaze_tracker.h"
+#include "rig/session/head_tracker.h"
+#include "rig/session/lens_pass.h"
+#include "rig/session/pacing.h"
+#include "rig/session/run_clock.h"
+#include "rig/session/simulated_world.h"
+
+namespace foverig {
+
+struct SessionProgress {
+    std::uint64_t frames = 0;
+    double share = 0.0;            ///< of the run, 0..1
+    double frame_time_ms = 0.0;    ///< of the last frame
+};
+
+/// What others may do between two frames; none of it is on the frames' time.
+struct SessionHooks {
+    std::function<bool()> stop_requested = [] { return false; };
+    std::function<void(const SessionProgress&)> progress = [](const SessionProgress&) {};
+    /// Returns whether images were kept of that frame.
+    std::function<bool(const FrameRecord&, const FrameInput&, double share)> frame_done =
+        [](const FrameRecord&, const FrameInput&, double) { return false; };
+};
+
+class Session {
+  public:
+    /// All outlive the session; `lens` may be null: no distortion pass.
+    Session(const Scenario& scenario, const Scene& scene, Renderer& renderer, LensPass* lens);
+
+    RunRecord run(const SessionHooks& hooks);
+
+  private:
+    void settle();
+    void read_devices(HostTime deadline);
+    FrameInput input_for(FrameRecord& frame, HostTime expected_vsync);
+    void render_frame(FrameRecord& frame, FrameInput& input);
+    void present(FrameRecord& frame, HostTime expected_vsync);
+    void show(FrameRecord& frame, const Presentation& shown);
+    void judge(FrameRecord& frame, const FrameInput& input) const;
+    void match_readbacks();
+    double share_done(std::uint64_t frames) const;
+    RunRecord finish(bool interrupted);
+
+    const Scenario& scenario_;
+    Renderer& renderer_;
+    LensPass* lens_;
+    RunClock clock_;
+    SimulatedWorld world_;
+    HeadTracker head_;
+    GazeTracker gaze_;
+    CameraFlight flight_;
+    EyeViews views_;
+    Pacing pacing_;
+    LatencyTester latency_tester_;
+    HostTime start_{};
+    std::vector<FrameRecord> frames_;
+    std::array<Pose, 2> poses_;    // of the frame in work, an eye each
+};
+
+}  // namespace foverig

@@ -1,0 +1,71 @@
+#include "rig/summary_text.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace foverig {
+namespace {
+
+using nlohmann::json;
+
+std::string number(const json& value, const char* unit = "") {
+    return value.is_number() ? fmt::format("{:.4g}{}", value.get<double>(), unit) : "-";
+}
+
+std::string spread(const json& d, const char* unit) {
+    if (!d.is_object()) return "not measured";
+    return fmt::format("p50 {}  p99 {}  max {}", number(d["p50"], unit), number(d["p99"], unit),
+                       number(d["max"], unit));
+}
+
+}  // namespace
+
+std::string summary_text(const json& s) {
+    const json& frames = s["frames"];
+    const json& vsync = s["vsync"];
+    const json& latency = s["latency_ms"];
+    std::string text;
+    text += fmt::format("frames            {} rendered, {} shown, {} dropped{}\n",
+                        number(frames["rendered"]), number(frames["presented"]),
+                        number(frames["dropped"]),
+                        s["interrupted"].get<bool>() ? " (ended early)" : "");
+    text += fmt::format("frame time        {}\n", spread(s["frame_time_ms"], " ms"));
+    text += fmt::format("vsync             {} of {} missed at {}, budget {}\n",
+                        number(vsync["missed"]), number(vsync["total"]),
+                        number(vsync["rate_hz"], " Hz"), number(vsync["budget_ms"], " ms"));
+    text += fmt::format("motion to photon  {}\n", spread(latency["motion_to_photon"], " ms"));
+    text += fmt::format("gaze to photon    {}\n", spread(latency["gaze_to_photon"], " ms"));
+    const json& ratio = s["sampled_pixel_ratio"];
+    text += fmt::format("traced pixels     {} of all\n",
+                        ratio.is_number() ? fmt::format("{:.1f} %", 100.0 * ratio.get<double>())
+                                          : "-");
+    for (const json& image : s.value("images", json::array())) {
+        if (!image.contains("mean_absolute_error")) continue;
+        text += fmt::format("error to full     {:.2f} % of full scale (frame {}, {} eye)\n",
+                            100.0 * image["mean_absolute_error"].get<double>(),
+                            image["frame"].get<std::int64_t>(), image["eye"].get<std::string>());
+    }
+    return text;
+}
+
+std::string plan_text(const json& plan) {
+    std::string text;
+    for (const json& effect : plan) {
+        const bool on = effect["on"].get<bool>();
+        text += fmt::format("{:<18} {:<4} {}\n", effect["effect"].get<std::string>(),
+                            on ? "on" : "off", effect["because"].get<std::string>());
+        if (!on) continue;
+        std::string passes;
+        for (const json& pass : effect["passes"]) {
+            passes += (passes.empty() ? "" : ", ") + pass.get<std::string>();
+        }
+        text += fmt::format("{:<23} passes: {}; {:.1f} MB an eye; {} a frame\n", "",
+                            passes.empty() ? "none of its own" : passes,
+                            effect["bytes"].get<double>() * 1e-6,
+                            number(effect["measured_ms"], " ms"));
+    }
+    return text;
+}
+
+}  // namespace foverig

@@ -1,0 +1,108 @@
+#include "simulators/dk2/feature_bank.h"
+
+#include <fmt/format.h>
+
+namespace foverig {
+namespace {
+
+/// Stores a report that decodes; its text is the decoder's otherwise.
+template <class Report>
+Status store(Report& kept, Bytes report) {
+    auto decoded = Report::decode(report);
+    if (!decoded) return decoded.error();
+    kept = *decoded;
+    return Done{};
+}
+
+template <class Report>
+std::vector<std::byte> bytes_of(const Report& report) {
+    const auto encoded = report.encode();
+    return {encoded.begin(), encoded.end()};
+}
+
+}  // namespace
+
+bool FeatureBank::alive(HostTime now) const {
+    return !config_.command_keep_alive ||
+           now - last_set_ < std::chrono::milliseconds(keep_alive_.timeout_ms);
+}
+
+Status FeatureBank::set(Bytes report, HostTime now) {
+    if (report.size() < 3) {
+        return Error{ErrorCode::invalid_data,
+                     fmt::format("a DK2 feature report of {} bytes has no header", report.size())};
+    }
+    Status status = Done{};
+    switch (read_u8(report, 0)) {
+        case dk2::ConfigReport::kId:
+            status = store(config_, report);
+            config_.sample_rate_hz = 1000;
+            break;
+        case dk2::RangeReport::kId:
+            status = store(range_, report);
+            break;
+        case dk2::Dk1KeepAliveReport::kId: {
+            dk2::Dk1KeepAliveReport old_format;
+            status = store(old_format, report);
+            if (!status) break;
+            keep_alive_.timeout_ms = old_format.timeout_ms;
+            // The firmware's own quirk: this also selects the DK1's input report.
+            input_report_ = dk2::InputReport1::kId;
+            break;
+        }
+        case dk2::TrackingReport::kId:
+            status = store(tracking_, report);
+            if (status) tracking_since_ = now;
+            break;
+        case dk2::DisplayReport::kId: {
+            const dk2::DisplayReport before = display_;
+            status = store(display_, report);
+            display_.shutter = before.shutter;
+            display_.pixel_settle_us = before.pixel_settle_us;
+            display_.total_rows = before.total_rows;
+            break;
+        }
+        case dk2::KeepAliveMuxReport::kId:
+            status = store(keep_alive_, report);
+            if (status) input_report_ = keep_alive_.input_report == 1 ? 1 : 11;
+            break;
+        default:
+            return Error{ErrorCode::unsupported,
+                         fmt::format("the simulated DK2 does not take feature report {}",
+                                     read_u8(report, 0))};
+    }
+    if (!status) return status;
+    last_set_ = now;
+    last_command_id_ = read_u16(report, 1);
+    return status;
+}
+
+Result<std::vector<std::byte>> FeatureBank::get(std::uint8_t id) const {
+    switch (id) {
+        case dk2::ConfigReport::kId:
+            return bytes_of(config_);
+        case dk2::FactoryCalibrationReport::kId:
+            return bytes_of(dk2::FactoryCalibrationReport{});
+        case dk2::RangeReport::kId:
+            return bytes_of(range_);
+        case dk2::DisplayInfoReport::kId:
+            return bytes_of(dk2::DisplayInfoReport{});
+        case dk2::SerialReport::kId:
+            return bytes_of(dk2::SerialReport{0, "FOVERIGSIM01"});
+        case dk2::TrackingReport::kId:
+            return bytes_of(tracking_);
+        case dk2::DisplayReport::kId:
+            return bytes_of(display_);
+        case dk2::KeepAliveMuxReport::kId:
+            return bytes_of(keep_alive_);
+        case dk2::GyroOffsetReport::kId:
+            return bytes_of(dk2::GyroOffsetReport{});
+        case dk2::LensDistortionReport::kId:
+            return bytes_of(dk2::LensDistortionReport{});
+        default:
+            return Error{ErrorCode::unsupported,
+                         fmt::format("the simulated DK2 does not answer feature report {}", id)};
+    }
+}
+
+}  // namespace foverig

@@ -1,0 +1,47 @@
+#pragma once
+// The DK2's feature reports as its firmware keeps them (DEVICES.md 1.5, 1.6).
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "devices/dk2/calibration_reports.h"
+#include "devices/dk2/feature_reports.h"
+#include "devices/dk2/input_reports.h"
+#include "devices/result.h"
+#include "devices/time.h"
+
+namespace foverig {
+
+class FeatureBank {
+  public:
+    /// A device that was plugged in at `now`, with the firmware's defaults.
+    explicit FeatureBank(HostTime now) : last_set_(now) {}
+
+    /// `report` is the whole report, id included. What the firmware only answers cannot be set.
+    Status set(Bytes report, HostTime now);
+    Result<std::vector<std::byte>> get(std::uint8_t id) const;
+
+    /// Input reports flow and LEDs light; false after a time-out without any SET.
+    bool alive(HostTime now) const;
+    std::uint16_t last_command_id() const { return last_command_id_; }
+    std::uint8_t input_report() const { return input_report_; }
+    const dk2::ConfigReport& config() const { return config_; }
+    const dk2::DisplayReport& display() const { return display_; }
+    const dk2::TrackingReport& tracking() const { return tracking_; }
+    /// When the last SET of the tracking report came.
+    HostTime tracking_since() const { return tracking_since_; }
+
+  private:
+    HostTime last_set_;
+    std::uint16_t last_command_id_ = 0;
+    std::uint8_t input_report_ = 11;
+    dk2::ConfigReport config_;
+    dk2::RangeReport range_;
+    dk2::TrackingReport tracking_;
+    dk2::DisplayReport display_;
+    dk2::KeepAliveMuxReport keep_alive_;
+    HostTime tracking_since_{};
+};
+
+}  // namespace foverig

@@ -1,0 +1,77 @@
+#pragma once
+// The tracker's processor: exposes, measures, queues and numbers frames in the order of time
+// (DEVICES.md 4.5). Knows nothing of the host but its requests.
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "devices/gaze/requests.h"
+#include "devices/transport.h"
+#include "simulators/faults/device_clock.h"
+#include "simulators/gaze/tracker_model.h"
+
+namespace foverig {
+
+class GazeFirmware {
+  public:
+    static constexpr Nanoseconds kLatency{12'000'000};  ///< mid-exposure to queue (5.5)
+    static constexpr Nanoseconds kUsbTransfer{1'000'000};
+
+    struct Settings {
+        const motion::EyeMotion* eyes = nullptr;  ///< outlives the device
+        GazeFaults faults{};
+        std::uint64_t seed = 0;
+        HostTime plugged_in{};
+    };
+    explicit GazeFirmware(const Settings& settings);
+
+    /// Does everything that happens up to and at `until`; packets join `wire` in order of arrival.
+    void advance(HostTime until, std::deque<Packet>& wire);
+    /// When something happens next; far away while idle.
+    HostTime next_event() const;
+
+    Status set(std::uint8_t request, std::uint16_t value, Bytes data, HostTime now);
+    Result<std::vector<std::byte>> get(std::uint8_t request, std::uint16_t value,
+                                       HostTime now) const;
+
+  private:
+    struct Queued {
+        HostTime at;
+        gaze::SampleFrame frame;
+    };
+    /// SIM_FAULT's orders that are still to be carried out.
+    struct Orders {
+        int drop = 0, spoil = 0, repeat = 0;
+        HostTime eyes_lost_until{};
+    };
+
+    Status start(HostTime now);
+    Status set_rate(std::uint16_t hz);
+    Status order(const gaze::SimFault& fault, HostTime now);
+    void expose();
+    void queue_sample(std::deque<Packet>& wire);
+    void queue_heartbeat(std::deque<Packet>& wire);
+    void jump_clock(Nanoseconds step);
+    HostTime exposure_time(std::uint64_t index) const;
+    Nanoseconds latency(std::uint64_t index) const;
+    gaze::FrameHeader header(HostTime queued_at);
+    void send(std::vector<std::byte> bytes, HostTime queued_at, std::deque<Packet>& wire);
+    bool happens(double chance, std::uint64_t stream) const;
+
+    Settings settings_;
+    SimulatedDeviceClock clock_;
+    TrackerModel tracker_;
+    gaze::DeviceStatus status_;
+    Orders orders_;
+    std::uint16_t rate_hz_ = 60;
+    std::uint32_t sessions_ = 0;
+    std::uint64_t exposures_ = 0;  // since START
+    std::uint32_t sequence_ = 0;
+    std::uint8_t next_flags_ = 0;
+    HostTime started_{}, next_heartbeat_{};
+    std::optional<HostTime> clock_jump_at_;
+    std::deque<Queued> measured_;  // on their way through the tracker
+};
+
+}  // namespace foverig

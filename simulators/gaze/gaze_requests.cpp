@@ -1,0 +1,129 @@
+// GazeFirmware's side of the vendor requests (DEVICES.md 4.5.6).
+#include <fmt/format.h>
+
+#include "simulators/gaze/gaze_firmware.h"
+
+namespace foverig {
+namespace {
+
+using gaze::DeviceState;
+namespace request = gaze::request;
+
+constexpr auto kHeartbeat = std::chrono::seconds(1);
+constexpr auto kTimeJumpAfter = std::chrono::seconds(5);
+constexpr std::uint64_t kSessionStream = 820;
+
+template <class Payload>
+std::vector<std::byte> bytes_of(const Payload& payload) {
+    const auto encoded = payload.encode();
+    return {encoded.begin(), encoded.end()};
+}
+
+Error stall(const std::string& why) {
+    return {ErrorCode::unsupported, "the simulated gaze tracker stalls: " + why};
+}
+
+}  // namespace
+
+Status GazeFirmware::start(HostTime now) {
+    if (status_.state == DeviceState::streaming) return stall("START while streaming");
+    ++sessions_;
+    status_.state = DeviceState::streaming;
+    status_.session =
+        static_cast<std::uint32_t>(motion::Draws(settings_.seed, kSessionStream).bits(sessions_));
+    status_.sent = 0;
+    sequence_ = 0;
+    exposures_ = 0;
+    measured_.clear();
+    next_flags_ = gaze::frame_flag::discontinuity;
+    started_ = now;
+    next_heartbeat_ = now + kHeartbeat;
+    if (settings_.faults.time_jump != 0.0) clock_jump_at_ = now + kTimeJumpAfter;
+    return Done{};
+}
+
+Status GazeFirmware::set_rate(std::uint16_t hz) {
+    if (status_.state == DeviceState::streaming) return stall("SET_RATE while streaming");
+    if (hz != 60 && hz != 120 && hz != 250) {
+        return stall(fmt::format("SET_RATE {}; expected 60, 120 or 250", hz));
+    }
+    rate_hz_ = hz;
+    status_.rate_decihertz = static_cast<std::uint16_t>(10 * hz);
+    return Done{};
+}
+
+Status GazeFirmware::order(const gaze::SimFault& fault, HostTime now) {
+    switch (fault.kind) {
+        case gaze::FaultKind::drop_frame:
+            orders_.drop += fault.count;
+            return Done{};
+        case gaze::FaultKind::crc_error:
+            orders_.spoil += fault.count;
+            return Done{};
+        case gaze::FaultKind::duplicate:
+            orders_.repeat += fault.count;
+            return Done{};
+        case gaze::FaultKind::time_jump:
+            jump_clock(from_seconds(1e-3 * static_cast<double>(fault.p1)));
+            return Done{};
+        case gaze::FaultKind::eye_lost:
+            orders_.eyes_lost_until = now + std::chrono::milliseconds(fault.duration_ms);
+            return Done{};
+        default:
+            return stall(fmt::format("SIM_FAULT {}", static_cast<int>(fault.kind)));
+    }
+}
+
+Status GazeFirmware::set(std::uint8_t id, std::uint16_t value, Bytes data, HostTime now) {
+    switch (id) {
+        case request::start:
+            return start(now);
+        case request::stop:
+            status_.state = DeviceState::idle;
+            measured_.clear();
+            return Done{};
+        case request::set_rate:
+            return set_rate(value);
+        case request::set_options: {
+            const auto options = gaze::decode_options(data);
+            if (!options) return options.error();
+            status_.options = *options;
+            return Done{};
+        }
+        case request::set_mapping: {
+            const auto mapping_mm = gaze::decode_mapping(data);
+            if (!mapping_mm) return mapping_mm.error();
+            status_.mapping_mm = *mapping_mm;
+            return Done{};
+        }
+        case request::sim_fault: {
+            const auto fault = gaze::SimFault::decode(data);
+            if (!fault) return fault.error();
+            return order(*fault, now);
+        }
+        default:
+            return stall(fmt::format("OUT request {:#04x}", id));
+    }
+}
+
+Result<std::vector<std::byte>> GazeFirmware::get(std::uint8_t id, std::uint16_t value,
+                                                 HostTime now) const {
+    switch (id) {
+        case request::get_info:
+            return bytes_of(
+                gaze::Info{.rates = 0b111,
+                           .capabilities = 0b11010,  // openness, dynamic mapping, simulator
+                           .serial = "FOVERIGSIM000001",
+                           .firmware = "simulated",
+                           .nominal_latency_us = 12000});
+        case request::get_status:
+            return bytes_of(status_);
+        case request::get_time:
+            return bytes_of(gaze::DeviceTimeReply{
+                .device_ns = static_cast<std::uint64_t>(clock_.at_ns(now)), .cookie = value});
+        default:
+            return stall(fmt::format("IN request {:#04x}", id));
+    }
+}
+
+}  // namespace foverig

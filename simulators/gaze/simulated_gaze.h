@@ -1,0 +1,46 @@
+#pragma once
+// A gaze tracker that is not there: SGZ1 frames from the eyes' motion. One thread uses it.
+#include <deque>
+#include <optional>
+
+#include "devices/transport.h"
+#include "simulators/gaze/gaze_firmware.h"
+
+namespace foverig {
+
+/// Idle until START, as the real one. Bytes are made as time passes on `clock`, up to the deadline
+/// that is asked for and no further; `next` waits on the clock where the next packet lies ahead.
+/// Motion time is host time. Not simulated: calibration and validation (they stall), events.
+class SimulatedGaze final : public Transport {
+  public:
+    struct Settings {
+        GazeFaults faults{};
+        std::uint64_t seed = 0;
+    };
+
+    /// Plugged in now. `clock` and `eyes` outlive the device.
+    SimulatedGaze(Clock& clock, const motion::EyeMotion& eyes)
+        : SimulatedGaze(clock, eyes, Settings{}) {}
+    SimulatedGaze(Clock& clock, const motion::EyeMotion& eyes, const Settings& settings);
+
+    /// While unplugged: Fault (closed).
+    NextPacket next(HostTime deadline) override;
+    Status control_set(std::uint8_t request, std::uint16_t value,
+                       std::span<const std::byte> data) override;
+    Result<std::vector<std::byte>> control_get(std::uint8_t request, std::uint16_t value,
+                                               std::size_t size) override;
+
+  private:
+    void plug_in(HostTime now);
+    void cut_wire(HostTime at);  ///< what would arrive later is lost
+    void advance(HostTime until);
+
+    Clock& clock_;
+    const motion::EyeMotion& eyes_;
+    Settings settings_;
+    HostTime unplugged_at_{HostTime::max()}, plugged_again_at_{HostTime::max()};
+    std::optional<GazeFirmware> firmware_;  // none while unplugged
+    std::deque<Packet> wire_;               // in order of arrival
+};
+
+}  // namespace foverig

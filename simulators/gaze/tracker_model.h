@@ -1,0 +1,51 @@
+#pragma once
+// From the eyes' true motion to what an SMI-style tracker measures (DEVICES.md 5.4, 5.5). With no
+// fault named, the sample is the truth.
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "devices/gaze/frames.h"
+#include "simulators/faults/faults.h"
+#include "simulators/gaze/tracker_geometry.h"
+#include "simulators/motion/blinks.h"
+#include "simulators/motion/random.h"
+
+namespace foverig {
+
+class TrackerModel {
+  public:
+    static constexpr double kNoiseLag1 = 0.3;      ///< autocorrelation from sample to sample
+    static constexpr double kNoiseShared = 0.125;  ///< of the two eyes: combined STD x 0.75
+    static constexpr double kInvalidBelow = 0.35;  ///< openness
+    static constexpr double kLowPass_hz = 8.0;
+
+    /// `eyes` outlives the model.
+    TrackerModel(const motion::EyeMotion& eyes, const GazeFaults& faults, std::uint64_t seed);
+
+    /// What one exposure gives; call in order of time, as the noise remembers. Header, times and
+    /// counters are the caller's. `lost`: the tracker sees no eye.
+    gaze::SampleFrame measure(double t_s, double rate_hz, bool low_pass, bool lost);
+
+  private:
+    using Gaze = std::array<dvec2, 2>;  ///< degrees, left and right
+
+    motion::EyeState state_at(double t_s) const;
+    bool near_blink(double t_s, double period_s) const;
+    Gaze measured_deg(const Gaze& true_deg, double ecc_deg, double t_s, std::uint64_t index);
+    void step_noise(double ecc_deg, std::uint64_t index);
+    dvec2 systematic_error_deg(std::size_t eye, const dvec2& gaze_deg, double t_s) const;
+    void smooth(Gaze& gaze, double rate_hz);
+
+    const motion::EyeMotion& eyes_;
+    std::optional<motion::BlinkingEye> blinking_;
+    GazeFaults faults_;
+    motion::Draws noise_;
+    Gaze noise_deg_{};
+    Gaze offset_deg_{};
+    dvec2 slip_direction_{0.0};
+    std::uint64_t samples_ = 0;
+    std::optional<Gaze> smoothed_;
+};
+
+}  // namespace foverig

@@ -1,0 +1,8 @@
+#include "renderer/kernels/light_rays.h"
+
+#include "tests/house/device/launch.h"
+
+using namespace foverig;
+FOVERIG_VISIBLE(PointLightRays, AddPointLight);
+FOVERIG_VISIBLE(AreaLightRays, AddAreaLight);
+FOVERIG_VISIBLE(OcclusionRays, StoreOcclusion);

@@ -1,0 +1,80 @@
+#include "rig/output/run_folder.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "rig/failure.h"
+
+namespace foverig {
+namespace fs = std::filesystem;
+namespace {
+
+class RunFolderTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        root_ = fs::path(testing::TempDir()) / ("run_folder_test_" + std::to_string(getpid()));
+        fs::remove_all(root_);
+        fs::create_directories(root_);
+    }
+    void TearDown() override { fs::remove_all(root_); }
+
+    static std::string text_of(const fs::path& file) {
+        std::ostringstream text;
+        text << std::ifstream(file).rdbuf();
+        return text.str();
+    }
+    std::size_t entries() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(root_), {}));
+    }
+
+    fs::path root_;
+};
+
+TEST_F(RunFolderTest, AppearsWholeWhenPublished) {
+    {
+        RunFolder folder(root_ / "run");
+        folder.write("summary.json", "{}");
+        EXPECT_FALSE(fs::exists(root_ / "run"));
+        folder.publish();
+    }
+    EXPECT_EQ(text_of(root_ / "run/summary.json"), "{}");
+    EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(RunFolderTest, LeavesNothingWhenNotPublished) {
+    { RunFolder(root_ / "run").write("summary.json", "{}"); }
+    EXPECT_EQ(entries(), 0U);
+}
+
+TEST_F(RunFolderTest, TakesThePlaceOfAnOlderRun) {
+    for (const char* text : {"old", "new"}) {
+        RunFolder folder(root_ / "run/");
+        folder.write("summary.json", text);
+        folder.publish();
+    }
+    EXPECT_EQ(text_of(root_ / "run/summary.json"), "new");
+    EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(RunFolderTest, RefusesAFolderOfSomethingElse) {
+    fs::create_directories(root_ / "photos");
+    write_text(root_ / "photos/cat.png", "cat");
+    EXPECT_THROW(RunFolder(root_ / "photos"), UsageError);
+    EXPECT_THROW(RunFolder(root_ / "photos/cat.png"), UsageError);
+    EXPECT_THROW(RunFolder(root_ / "photos/cat.png/run"), UsageError);
+    EXPECT_EQ(text_of(root_ / "photos/cat.png"), "cat");
+}
+
+TEST_F(RunFolderTest, ReplacesATextWholeOrNotAtAll) {
+    write_text(root_ / "report.html", "old");
+    replace_text(root_ / "report.html", "new");
+    EXPECT_EQ(text_of(root_ / "report.html"), "new");
+    EXPECT_THROW(replace_text(root_ / "no/such/report.html", "x"), std::runtime_error);
+    EXPECT_EQ(entries(), 1U);
+}
+
+}  // namespace
+}  // namespace foverig
