@@ -6,7 +6,8 @@ namespace foverig::bench {
 namespace {
 
 double ms_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
 }
 
 /// One thread's share, on cache lines of its own.
@@ -37,7 +38,8 @@ AnchorRun run(embree::CpuBackend& backend, std::size_t tiles, const TraceTile& t
 
 }  // namespace
 
-AnchorRun run_anchor(embree::CpuBackend& backend, const PrimaryAnchor& anchor, std::span<const PixelQueue> tiles) {
+AnchorRun run_anchor(embree::CpuBackend& backend, const PrimaryAnchor& anchor,
+                     std::span<const PixelQueue> tiles) {
     const RTCScene scene = backend.scene().handle();
     return run(backend, tiles.size(), [&](std::size_t tile) {
         static thread_local PrimaryAnswers answers;
@@ -52,9 +54,11 @@ AnchorRun run_anchor(embree::CpuBackend& backend, const PrimaryAnchor& anchor, s
     });
 }
 
-AnchorRun run_anchor(embree::CpuBackend& backend, const OcclusionAnchor& anchor, std::span<const RayList> tiles) {
+AnchorRun run_anchor(embree::CpuBackend& backend, const OcclusionAnchor& anchor,
+                     std::span<const RayList> tiles) {
     const RTCScene scene = backend.scene().handle();
-    return run(backend, tiles.size(), [&](std::size_t tile) { return anchor.trace(scene, tiles[tile]); });
+    return run(backend, tiles.size(),
+               [&](std::size_t tile) { return anchor.trace(scene, tiles[tile]); });
 }
 
 }  // namespace foverig::bench

@@ -35,9 +35,11 @@ void keep(const RTCRayHit16& packet, int base, PrimaryAnswers& answers) {
     }
 }
 
-/// Packets that a queue fills; the last one's spare lanes repeat its last pixel and count for nothing.
+/// Packets that a queue fills; the last one's spare lanes repeat its last pixel and count for
+/// nothing.
 CameraRays rays_of(const PixelQueue& queue) {
-    return {queue.eye, View<const PackedPixel>{queue.pixels.data(), queue.pixels.size()}, vec2(0.0F)};
+    return {queue.eye, View<const PackedPixel>{queue.pixels.data(), queue.pixels.size()},
+            vec2(0.0F)};
 }
 
 void packets(RTCScene scene, const PixelQueue& queue, PrimaryAnswers& answers) {
@@ -65,9 +67,12 @@ void stream_of_packets(RTCScene scene, const PixelQueue& queue, PrimaryAnswers& 
     for (int base = 0; base < queue.count; base += 16 * kPackets) {
         const int left = (queue.count - base + 15) / 16;
         const int packets_here = left < kPackets ? left : kPackets;
-        for (int p = 0; p < packets_here; ++p) make_packet(rays, base + 16 * p, stream[static_cast<std::size_t>(p)]);
-        rtcIntersectNM(scene, &context, reinterpret_cast<RTCRayHitN*>(stream.data()), 16, static_cast<unsigned>(packets_here), sizeof(RTCRayHit16));
-        for (int p = 0; p < packets_here; ++p) keep(stream[static_cast<std::size_t>(p)], base + 16 * p, answers);
+        for (int p = 0; p < packets_here; ++p)
+            make_packet(rays, base + 16 * p, stream[static_cast<std::size_t>(p)]);
+        rtcIntersectNM(scene, &context, reinterpret_cast<RTCRayHitN*>(stream.data()), 16,
+                       static_cast<unsigned>(packets_here), sizeof(RTCRayHit16));
+        for (int p = 0; p < packets_here; ++p)
+            keep(stream[static_cast<std::size_t>(p)], base + 16 * p, answers);
     }
 }
 #endif

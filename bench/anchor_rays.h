@@ -49,10 +49,12 @@ class RayList {
     std::uint64_t count_ = 0;
 };
 
-/// Primary rays are made from the queue's pixels, as the renderer makes them: faster than loading them.
+/// Primary rays are made from the queue's pixels, as the renderer makes them: faster than loading
+/// them.
 struct PixelQueue {
     EyeRays eye;
-    std::vector<PackedPixel> pixels;     ///< padded to whole packets by repeating the last
+    std::vector<PackedPixel> pixels;   ///< padded to whole packets by repeating the last
+    std::vector<std::uint8_t> sparse;  ///< by pixel: outside r0 of a foveated frame; empty: none is
     int count = 0;
 };
 

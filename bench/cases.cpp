@@ -10,7 +10,7 @@
 namespace foverig::bench {
 namespace {
 
-constexpr double kShortReachShare = 0.05;    ///< of the scene's diagonal (PERFORMANCE.md 6.4)
+constexpr double kShortReachShare = 0.05;  ///< of the scene's diagonal (PERFORMANCE.md 6.4)
 constexpr float kLampShare = 0.03F;
 
 double diagonal_m(const Scene& scene) {
@@ -51,10 +51,14 @@ std::filesystem::path file_of(const Options& options, const std::string& name) {
 
 const char* name_of(Load load) {
     switch (load) {
-        case Load::point: return "point";
-        case Load::area8: return "area8";
-        case Load::ao16: return "ao16";
-        default: return "ao16_short";
+        case Load::point:
+            return "point";
+        case Load::area8:
+            return "area8";
+        case Load::ao16:
+            return "ao16";
+        default:
+            return "ao16_short";
     }
 }
 

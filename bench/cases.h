@@ -16,15 +16,15 @@ const char* name_of(Load load);
 
 struct Case {
     std::shared_ptr<const Scene> scene;
-    RenderSettings settings;             ///< medium configuration; the pipeline is the caller's choice
-    std::string note;                    ///< what stands in for a scene that is not there, or empty
+    RenderSettings settings;  ///< medium configuration; the pipeline is the caller's choice
+    std::string note;         ///< what stands in for a scene that is not there, or empty
 };
 
 /// Names of scenes: "sponza", "sibenik".
 const std::vector<std::string>& scene_names();
 
-/// Loads scenes once and hands them out with the lights of a load. A scene whose file is not there is
-/// replaced by the built-in atrium.
+/// Loads scenes once and hands them out with the lights of a load. A scene whose file is not there
+/// is replaced by the built-in atrium.
 class SceneShelf {
   public:
     explicit SceneShelf(const Options& options) : options_(options) {}
@@ -33,7 +33,7 @@ class SceneShelf {
 
   private:
     const Options& options_;
-    std::string name_;                   ///< of the scene that is held: one at a time
+    std::string name_;  ///< of the scene that is held: one at a time
     std::string note_;
     Scene scene_;
 };

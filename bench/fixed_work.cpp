@@ -14,8 +14,9 @@
 namespace foverig::bench {
 namespace {
 
-constexpr std::array kFixedPasses{"reproject_vertices", "reproject_coarse", "mark_resampling", "reproject_raster",
-                                  "reproject", "merge", "cache_update", "post_process"};
+constexpr std::array kFixedPasses{"reproject_vertices", "reproject_coarse", "mark_resampling",
+                                  "reproject_raster",   "reproject",        "merge",
+                                  "cache_update",       "post_process"};
 /// Passes whose work is moving images, and not geometry or search: what bandwidth can bound.
 constexpr std::array kImagePasses{"reproject", "merge", "cache_update"};
 constexpr int kFrames = 12;
@@ -26,7 +27,8 @@ struct Scale {
     const char* name;
     EyeSize size;
 };
-constexpr std::array<Scale, 3> kScales{{{"quarter", {591, 732}}, {"dk2", {1182, 1464}}, {"fourfold", {2364, 2928}}}};
+constexpr std::array<Scale, 3> kScales{
+    {{"quarter", {591, 732}}, {"dk2", {1182, 1464}}, {"fourfold", {2364, 2928}}}};
 
 template <class Names>
 double sum_ms(const PassMedians& medians, const Names& names) {
@@ -43,11 +45,10 @@ struct Measured {
 };
 
 /// Means over the frames go into `sizes`.
-void add(Measured& m, const FrameStats& full, const FrameStats& ours) {
-    m.full.add(full);
-    m.ours.add(ours);
+void add(Measured& m, const FrameStats& ours) {
     ++m.frames;
-    m.sizes.samples += (static_cast<double>(ours.sampled_pixels) - m.sizes.samples) / static_cast<double>(m.frames);
+    m.sizes.samples += (static_cast<double>(ours.sampled_pixels) - m.sizes.samples) /
+                       static_cast<double>(m.frames);
     m.sizes.pixels = static_cast<double>(ours.all_pixels);
 }
 
@@ -75,7 +76,9 @@ Json bytes_row(const Measured& m, const TriadRates& large, const TriadRates& ima
             {"share_of_triad", gb_s / large.plain_gb_s}};
 }
 
-double support_cells(const EyeSize& size) { return size.width_px * 256.0 / 1182.0 * size.height_px * 318.0 / 1464.0; }
+double support_cells(const EyeSize& size) {
+    return size.width_px * 256.0 / 1182.0 * size.height_px * 318.0 / 1464.0;
+}
 
 void run(benchmark::State& state, Bench& bench, const std::string& scene, const Scale& scale) {
     const Case subject = bench.scenes.take(scene, Load::point);
@@ -94,28 +97,32 @@ void run(benchmark::State& state, Bench& bench, const std::string& scene, const 
     int frame = first + kWarmUpFrames;
     for (auto unused : state) {
         const FrameInput input = flight.frame(frame++);
-        const FrameStats o = ours->render(input);
-        add(m, full->render(input), o);
+        const FrameStats o = m.ours.render(*ours, input);
+        m.full.render(*full, input);
+        add(m, o);
         state.SetIterationTime(o.render_ms * 1e-3);
     }
     embree::CpuBackend threads(*subject.scene, embree::EmbreeSettings{});
     const auto image_bytes = static_cast<std::size_t>(m.sizes.pixels) * 12;
-    const Json bytes = bytes_row(m, stream_triad(threads, kLargeTriad, 5), stream_triad(threads, image_bytes, 9));
+    const Json bytes =
+        bytes_row(m, stream_triad(threads, kLargeTriad, 5), stream_triad(threads, image_bytes, 9));
     const double fixed_ms = sum_ms(m.ours, kFixedPasses);
-    Json row = {{"scene", scene},
-                {"scale", scale.name},
-                {"width_px", scale.size.width_px},
-                {"height_px", scale.size.height_px},
-                {"frame_ms_full", m.full.frame_ms()},
-                {"frame_ms_ours", m.ours.frame_ms()},
-                {"fixed_ms", fixed_ms},
-                {"fixed_ns_per_px", fixed_ms * 1e6 / m.sizes.pixels},
-                {"share_of_full_frame", fixed_ms / m.full.frame_ms()},
-                {"select_and_store_ms", m.ours.pass_ms("select_pixels") + m.ours.pass_ms("store_samples")},
-                {"passes_ms_ours", m.ours.passes()},
-                {"traffic", bytes}};
+    Json row = {
+        {"scene", scene},
+        {"scale", scale.name},
+        {"width_px", scale.size.width_px},
+        {"height_px", scale.size.height_px},
+        {"frame_ms_full", m.full.frame_ms()},
+        {"frame_ms_ours", m.ours.frame_ms()},
+        {"fixed_ms", fixed_ms},
+        {"fixed_ns_per_px", fixed_ms * 1e6 / m.sizes.pixels},
+        {"share_of_full_frame", fixed_ms / m.full.frame_ms()},
+        {"select_and_store_ms", m.ours.pass_ms("select_pixels") + m.ours.pass_ms("store_samples")},
+        {"passes_ms_ours", m.ours.passes()},
+        {"traffic", bytes}};
     if (!subject.note.empty()) row["note"] = subject.note;
-    for (const char* key : {"fixed_ms", "fixed_ns_per_px", "share_of_full_frame"}) state.counters[key] = row[key].get<double>();
+    for (const char* key : {"fixed_ms", "fixed_ns_per_px", "share_of_full_frame"})
+        state.counters[key] = row[key].get<double>();
     state.counters["share_of_triad"] = bytes["share_of_triad"].get<double>();
     state.SetLabel(subject.note);
     bench.results.add("fixed_work", fmt::format("{}/{}", scene, scale.name), row);
@@ -126,8 +133,11 @@ void run(benchmark::State& state, Bench& bench, const std::string& scene, const 
 void register_fixed_work(Bench& bench) {
     for (const std::string& scene : scene_names()) {
         for (const Scale& scale : kScales) {
-            benchmark::RegisterBenchmark(fmt::format("BM_FixedWork/{}/{}", scene, scale.name).c_str(),
-                                         [&bench, scene, scale](benchmark::State& state) { run(state, bench, scene, scale); })
+            benchmark::RegisterBenchmark(
+                fmt::format("BM_FixedWork/{}/{}", scene, scale.name).c_str(),
+                [&bench, scene, scale](benchmark::State& state) {
+                    run(state, bench, scene, scale);
+                })
                 ->Iterations(kFrames)
                 ->UseManualTime()
                 ->Unit(benchmark::kMillisecond);

@@ -31,13 +31,14 @@ dvec3 gaze_at(double time_s) {
 Flight::Flight(const Scene& scene, const EyeSize& size)
     : path_(CameraSettings{}, scene), size_(size), one_way_s_(scene.camera_path_s) {}
 
-int Flight::frame_count() const { return static_cast<int>(one_way_s_ * kRate_hz); }
+int Flight::frame_count() const {
+    return static_cast<int>(one_way_s_ * kRate_hz);
+}
 
 FrameInput Flight::frame(int index) const {
     const double time_s = index / kRate_hz;
     const Stand stand = path_.at(time_s);
-    const dquat head =
-        turn(degrees_of_sine(20.0, 0.4, time_s), degrees_of_sine(5.0, 0.23, time_s));
+    const dquat head = turn(degrees_of_sine(20.0, 0.4, time_s), degrees_of_sine(5.0, 0.23, time_s));
     FrameInput input;
     input.frame = static_cast<std::uint32_t>(index);
     input.time_s = time_s;

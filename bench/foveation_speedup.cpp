@@ -1,5 +1,5 @@
-// Bar 2: what foveation with reprojection gains over tracing every pixel, frame by frame on the same
-// input, in one process. The telling number is speed-up over ray cut (PERFORMANCE.md 8.1 C6).
+// Bar 2: what foveation with reprojection gains over tracing every pixel, frame by frame on the
+// same input, in one process. The telling number is speed-up over ray cut (PERFORMANCE.md 8.1 C6).
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 namespace foverig::bench {
 namespace {
 
-constexpr int kStretches = 6;                ///< of consecutive frames, spread over the flight
-constexpr int kWarmUpFrames = 8;             ///< of each, that fill the history
+constexpr int kStretches = 6;     ///< of consecutive frames, spread over the flight
+constexpr int kWarmUpFrames = 8;  ///< of each, that fill the history
 
 struct Published {
     const char* scene;
@@ -44,8 +44,6 @@ struct Comparison {
     std::uint64_t bad_values = 0;
 
     void add(const FrameStats& f, const FrameStats& o, const Mask& resampled) {
-        full.add(f);
-        ours.add(o);
         frame_speed_ups.push_back(f.render_ms / o.render_ms);
         traced_ratios.push_back(static_cast<double>(o.sampled_pixels) /
                                 static_cast<double>(o.all_pixels));
@@ -75,6 +73,9 @@ Json row_of(const Comparison& c, const std::string& scene, Load load) {
                 {"frame_ms_ours", c.ours.frame_ms()},
                 {"speed_up", c.speed_up()},
                 {"speed_up_median_of_frames", median(c.frame_speed_ups)},
+                {"cpu_ms_full", c.full.cpu_ms()},
+                {"cpu_ms_ours", c.ours.cpu_ms()},
+                {"speed_up_cpu", c.full.cpu_ms() / c.ours.cpu_ms()},
                 {"speed_up_per_ray_cut", c.speed_up() / c.ray_cut()},
                 {"nan_or_inf", c.bad_values},
                 {"passes_ms_full", c.full.passes()},
@@ -107,9 +108,9 @@ void run(benchmark::State& state, Bench& bench, const std::string& scene, Load l
         // Turns taken, so that neither side is always the one with the warmer caches.
         FrameStats f;
         FrameStats o;
-        if (step % 2 == 0) f = full->render(input);
-        o = ours->render(input);
-        if (step % 2 != 0) f = full->render(input);
+        if (step % 2 == 0) f = comparison.full.render(*full, input);
+        o = comparison.ours.render(*ours, input);
+        if (step % 2 != 0) f = comparison.full.render(*full, input);
         state.SetIterationTime(o.render_ms * 1e-3);
         comparison.add(f, o, ours->resampling_mask(0));
         if (++step >= kWarmUpFrames + measured) {

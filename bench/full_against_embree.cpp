@@ -1,5 +1,5 @@
-// Bar 3: rays per second of the renderer's ray passes over those of bare Embree loops on the same rays,
-// scene handle, threads and tiles; turns taken in one process, ratio of medians.
+// Bar 3: rays per second of the renderer's ray passes over those of bare Embree loops on the same
+// rays, scene handle, threads and tiles; turns taken in one process, ratio of medians.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 namespace foverig::bench {
 namespace {
 
-constexpr double kMostWrong = 1.0e-4;        ///< of rays whose answer may differ between calls
-constexpr int kHistoryFrames = 10;           ///< before a foveated list is taken
+constexpr double kMostWrong = 1.0e-4;  ///< of rays whose answer may differ between calls
+constexpr int kHistoryFrames = 10;     ///< before a foveated list is taken
 
 /// How many tiles are left out, so that prepared rays stay within some hundred MB.
 int tile_stride(Load load) {
@@ -72,7 +72,8 @@ Race race_with(std::span<const Anchor> anchors, std::uint64_t rays) {
 }
 
 template <class Anchor, class Tiles>
-void run_all(Race& race, embree::CpuBackend& backend, std::span<const Anchor> anchors, const Tiles& tiles) {
+void run_all(Race& race, embree::CpuBackend& backend, std::span<const Anchor> anchors,
+             const Tiles& tiles) {
     for (std::size_t i = 0; i < anchors.size(); ++i)
         race.anchors_ms[i].push_back(run_anchor(backend, anchors[i], std::span(tiles)).busy_ms);
 }
@@ -85,15 +86,19 @@ std::uint64_t rays_in(const Tiles& tiles, auto count) {
 }
 
 /// Empty where every call agrees with the renderer's own packets; else what does not.
-std::string disagreement(PipelineCore& core, TracedFrame& frame, const std::vector<RayList>& lists) {
+std::string disagreement(PipelineCore& core, TracedFrame& frame,
+                         const std::vector<RayList>& lists) {
     for (const PrimaryAnchor& anchor : primary_anchors()) {
         const double wrong = frame.wrong_primary_share(anchor);
-        if (wrong > kMostWrong) return fmt::format("{}: {} of the answers differ", anchor.name, wrong);
+        if (wrong > kMostWrong)
+            return fmt::format("{}: {} of the answers differ", anchor.name, wrong);
     }
     const auto expected = static_cast<double>(frame.occluded_by_packets());
     for (const OcclusionAnchor& anchor : occlusion_anchors()) {
-        const auto found = static_cast<double>(run_anchor(core.backend(), anchor, std::span(lists)).occluded);
-        const auto rays = static_cast<double>(rays_in(lists, [](const RayList& l) { return l.count(); }));
+        const auto found =
+            static_cast<double>(run_anchor(core.backend(), anchor, std::span(lists)).occluded);
+        const auto rays =
+            static_cast<double>(rays_in(lists, [](const RayList& l) { return l.count(); }));
         if (std::abs(found - expected) > kMostWrong * rays)
             return fmt::format("{}: {} rays occluded instead of {}", anchor.name, found, expected);
     }
@@ -109,21 +114,27 @@ Mask foveated_pixels(const Case& subject, const Flight& flight, int frame) {
     return renderer->sampling_mask(0);
 }
 
-void run(benchmark::State& state, Bench& bench, const std::string& scene, Load load, bool foveated) {
+void run(benchmark::State& state, Bench& bench, const std::string& scene, Load load,
+         bool foveated) {
     const Case subject = bench.scenes.take(scene, load);
     RenderSettings settings = subject.settings;
     settings.pipeline = "full";
     PipelineCore core(subject.scene, settings);
     const Flight flight(*subject.scene);
     const int at = flight.frame_count() / 3;
-    const Mask mask = foveated ? foveated_pixels(subject, flight, at) : Mask{};
-    TracedFrame frame(core, flight.frame(at), mask, foveated ? 1 : tile_stride(load));
+    Selection selection;
+    if (foveated) selection.mask = foveated_pixels(subject, flight, at);
+    selection.tile_stride = foveated ? 1 : tile_stride(load);
+    selection.r0_deg = static_cast<float>(settings.foveation.r0_deg);
+    TracedFrame frame(core, flight.frame(at), selection);
     const std::vector<RayList> lists = frame.visibility_rays();
     const std::string wrong = disagreement(core, frame, lists);
     if (!wrong.empty()) return state.SkipWithError(wrong.c_str());
 
-    Race primary = race_with(primary_anchors(), rays_in(frame.queues(), [](const PixelQueue& q) { return q.count; }));
-    Race secondary = race_with(occlusion_anchors(), rays_in(lists, [](const RayList& l) { return l.count(); }));
+    Race primary = race_with(primary_anchors(),
+                             rays_in(frame.queues(), [](const PixelQueue& q) { return q.count; }));
+    Race secondary =
+        race_with(occlusion_anchors(), rays_in(lists, [](const RayList& l) { return l.count(); }));
     for (auto unused : state) {
         const FrameStats stats = frame.trace();
         primary.ours_ms.push_back(pass_ms(stats, "trace_primary"));
@@ -133,7 +144,8 @@ void run(benchmark::State& state, Bench& bench, const std::string& scene, Load l
         state.SetIterationTime(secondary.ours_ms.back() * 1e-3);
     }
     const char* const suite = foveated ? "foveated_list_against_embree" : "full_against_embree";
-    for (const auto& [race, pass] : {std::pair(&primary, "trace_primary"), std::pair(&secondary, pass_of(load))}) {
+    for (const auto& [race, pass] :
+         {std::pair(&primary, "trace_primary"), std::pair(&secondary, pass_of(load))}) {
         Json row = {{"scene", scene}, {"load", name_of(load)}, {"pass", pass}};
         row.update(race->row());
         if (!subject.note.empty()) row["note"] = subject.note;
@@ -147,8 +159,11 @@ void run(benchmark::State& state, Bench& bench, const std::string& scene, Load l
 void add(Bench& bench, const char* name, bool foveated) {
     for (const std::string& scene : scene_names()) {
         for (const Load load : {Load::point, Load::area8, Load::ao16, Load::ao16_short}) {
-            benchmark::RegisterBenchmark(fmt::format("{}/{}/{}", name, scene, name_of(load)).c_str(),
-                                         [&bench, scene, load, foveated](benchmark::State& state) { run(state, bench, scene, load, foveated); })
+            benchmark::RegisterBenchmark(
+                fmt::format("{}/{}/{}", name, scene, name_of(load)).c_str(),
+                [&bench, scene, load, foveated](benchmark::State& state) {
+                    run(state, bench, scene, load, foveated);
+                })
                 ->Iterations(bench.options.repetitions)
                 ->UseManualTime()
                 ->Unit(benchmark::kMillisecond);

@@ -19,7 +19,8 @@ constexpr double kMargin_deg = 0.01;
 const std::vector<float>& srgb_table() {
     static const std::vector<float> table = [] {
         std::vector<float> t(std::bit_cast<std::uint32_t>(1.0F) >> 13U);
-        for (std::size_t i = 0; i < t.size(); ++i) t[i] = srgb_from_linear(std::bit_cast<float>(static_cast<std::uint32_t>(i) << 13U));
+        for (std::size_t i = 0; i < t.size(); ++i)
+            t[i] = srgb_from_linear(std::bit_cast<float>(static_cast<std::uint32_t>(i) << 13U));
         return t;
     }();
     return table;
@@ -49,7 +50,8 @@ struct Sums {
 
 }  // namespace
 
-ImageError image_error(const Image& foveated, const Image& full, const EyeInput& eye, double r0_deg) {
+ImageError image_error(const Image& foveated, const Image& full, const EyeInput& eye,
+                       double r0_deg) {
     const EyeRays rays(eye.view);
     const dvec3 gaze(glm::normalize(eye.view.world_from_eye * eye.gaze));
     const double cosine = std::cos(glm::radians(r0_deg - kMargin_deg));
@@ -62,11 +64,13 @@ ImageError image_error(const Image& foveated, const Image& full, const EyeInput&
             double most = 0.0;
             for (int c = 0; c < 3; ++c) {
                 if (!std::isfinite(a[c]) || !std::isfinite(b[c])) ++sums.e.not_finite;
-                const double d = std::abs(double{quick_srgb(table, a[c])} - double{quick_srgb(table, b[c])});
+                const double d =
+                    std::abs(double{quick_srgb(table, a[c])} - double{quick_srgb(table, b[c])});
                 difference += d;
                 most = std::max(most, d);
             }
-            const dvec3 direction(rays.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F));
+            const dvec3 direction(
+                rays.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F));
             if (glm::dot(direction, gaze) >= cosine * glm::length(direction)) {
                 ++sums.e.inside_pixels;
                 sums.e.inside_equal += a == b ? 1U : 0U;
@@ -89,9 +93,12 @@ ImageError image_error(const Image& foveated, const Image& full, const EyeInput&
             return a;
         });
     ImageError error = sums.e;
-    const auto share = [](double sum, std::uint64_t pixels) { return pixels > 0 ? sum / (3.0 * static_cast<double>(pixels)) : 0.0; };
+    const auto share = [](double sum, std::uint64_t pixels) {
+        return pixels > 0 ? sum / (3.0 * static_cast<double>(pixels)) : 0.0;
+    };
     error.outside_mean = share(sums.outside_sum, sums.outside_pixels);
-    error.whole_mean = share(sums.inside_sum + sums.outside_sum, sums.outside_pixels + sums.e.inside_pixels);
+    error.whole_mean =
+        share(sums.inside_sum + sums.outside_sum, sums.outside_pixels + sums.e.inside_pixels);
     return error;
 }
 

@@ -11,7 +11,7 @@
 namespace foverig::bench {
 namespace {
 
-constexpr double kTownDetail = 16.0;         ///< 6.7 M triangles (renderer/scene/builtin/builtin.cpp)
+constexpr double kTownDetail = 16.0;  ///< 6.7 M triangles (renderer/scene/builtin/builtin.cpp)
 
 class Stopwatch {
   public:
@@ -30,7 +30,9 @@ class Stopwatch {
 
 int run_large_scene(const std::string& name_or_file) {
     Stopwatch watch;
-    auto scene = std::make_shared<const Scene>(name_or_file == "voxel-town" ? make_builtin_scene(name_or_file, kTownDetail) : load_scene(name_or_file));
+    auto scene = std::make_shared<const Scene>(name_or_file == "voxel-town"
+                                                   ? make_builtin_scene(name_or_file, kTownDetail)
+                                                   : load_scene(name_or_file));
     Json row = {{"triangles", scene->triangles.size()}, {"make_s", watch.lap_s()}};
     RenderSettings settings;
     settings.pipeline = "full";
@@ -40,7 +42,8 @@ int run_large_scene(const std::string& name_or_file) {
     row["render_s"] = watch.lap_s();
     row["rays"] = stats.rays.total();
     row["nan_or_inf"] = stats.numerics.nan + stats.numerics.inf;
-    row["total_s"] = row["make_s"].get<double>() + row["build_s"].get<double>() + row["render_s"].get<double>();
+    row["total_s"] =
+        row["make_s"].get<double>() + row["build_s"].get<double>() + row["render_s"].get<double>();
     row["peak_rss_gib"] = static_cast<double>(peak_rss_bytes()) / 1073741824.0;
     std::cout << row.dump() << std::endl;
     return 0;

@@ -23,11 +23,13 @@ std::string measure_in_child(const std::string& name_or_file) {
     const std::unique_ptr<std::FILE, ClosePipe> pipe(popen(command.c_str(), "r"));
     std::string all;
     std::array<char, 4096> chunk{};
-    while (pipe != nullptr && std::fgets(chunk.data(), chunk.size(), pipe.get()) != nullptr) all = chunk.data();
+    while (pipe != nullptr && std::fgets(chunk.data(), chunk.size(), pipe.get()) != nullptr)
+        all = chunk.data();
     return all;
 }
 
-void run(benchmark::State& state, Bench& bench, const std::string& name, const std::string& name_or_file) {
+void run(benchmark::State& state, Bench& bench, const std::string& name,
+         const std::string& name_or_file) {
     Json row;
     for (auto unused : state) {
         const std::string line = measure_in_child(name_or_file);
@@ -35,13 +37,16 @@ void run(benchmark::State& state, Bench& bench, const std::string& name, const s
         if (row.is_discarded()) return state.SkipWithError("the child process failed");
         state.SetIterationTime(row["total_s"].get<double>());
     }
-    for (const char* key : {"triangles", "make_s", "build_s", "render_s", "peak_rss_gib"}) state.counters[key] = row[key].get<double>();
+    for (const char* key : {"triangles", "make_s", "build_s", "render_s", "peak_rss_gib"})
+        state.counters[key] = row[key].get<double>();
     bench.results.add("large_scenes", name, row);
 }
 
 void add(Bench& bench, const std::string& name, const std::string& name_or_file) {
     benchmark::RegisterBenchmark(fmt::format("BM_LargeScene/{}", name).c_str(),
-                                 [&bench, name, name_or_file](benchmark::State& state) { run(state, bench, name, name_or_file); })
+                                 [&bench, name, name_or_file](benchmark::State& state) {
+                                     run(state, bench, name, name_or_file);
+                                 })
         ->Iterations(1)
         ->UseManualTime()
         ->Unit(benchmark::kSecond);

@@ -15,8 +15,9 @@ void add_context(const Options& options) {
     const Json about = identity(options);
     for (const char* part : {"build", "host", "embree"})
         for (const auto& [key, value] : about[part].items())
-            benchmark::AddCustomContext(std::string(part) + "." + key,
-                                        value.is_string() ? value.get<std::string>() : value.dump());
+            benchmark::AddCustomContext(
+                std::string(part) + "." + key,
+                value.is_string() ? value.get<std::string>() : value.dump());
     benchmark::AddCustomContext("robust_tracing", options.robust ? "true" : "false");
 }
 
@@ -25,17 +26,22 @@ int run(int argc, char** argv) {
     Bench bench;
     Options& o = bench.options;
     std::string child;
-    CLI::App app("foverig_bench: proves results right, then times them (--benchmark_* flags as ever)");
+    CLI::App app(
+        "foverig_bench: proves results right, then times them (--benchmark_* flags as ever)");
     app.add_option("--results", o.results, "folder for one JSON file a suite");
     app.add_option("--scenes", o.scenes, "folder of the shared scenes")->capture_default_str();
     app.add_option("--frames", o.frames, "measured frames of each speed comparison")
-        ->check(CLI::PositiveNumber)->capture_default_str();
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     app.add_option("--repetitions", o.repetitions, "of each comparison with bare Embree")
-        ->check(CLI::PositiveNumber)->capture_default_str();
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     app.add_option("--error-frames", o.error_frames, "frames of a flight whose error is measured")
-        ->check(CLI::PositiveNumber)->capture_default_str();
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     app.add_option("--error-stride", o.error_stride, "compare every n-th, where light is sampled")
-        ->check(CLI::PositiveNumber)->capture_default_str();
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     app.add_flag("--robust,!--no-robust", o.robust, "watertight tracing")->capture_default_str();
     app.add_option("--child", child, "internal: one large scene, measured in its own process");
     CLI11_PARSE(app, argc, argv);

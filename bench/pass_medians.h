@@ -1,4 +1,5 @@
 #pragma once
+#include <ctime>
 #include <map>
 #include <string>
 #include <vector>
@@ -9,10 +10,13 @@
 
 namespace foverig::bench {
 
-/// Collects the frames of one renderer and gives medians of frame and pass times.
+/// Renders with one renderer and keeps medians of its frame and pass times.
 class PassMedians {
   public:
-    void add(const FrameStats& stats) {
+    FrameStats render(Renderer& renderer, const FrameInput& input) {
+        const double before_ms = process_cpu_ms();
+        FrameStats stats = renderer.render(input);
+        cpu_ms_.push_back(process_cpu_ms() - before_ms);
         frame_ms_.push_back(stats.render_ms);
         double sum = 0.0;
         for (const PassTime& pass : stats.passes) {
@@ -20,15 +24,17 @@ class PassMedians {
             sum += pass.ms;
         }
         outside_ms_.push_back(stats.render_ms - sum);
+        return stats;
     }
 
     double frame_ms() const { return median(frame_ms_); }
+    /// Processor time of all threads: what a frame costs whoever else is using the machine.
+    double cpu_ms() const { return median(cpu_ms_); }
     /// 0 for a pass that never ran.
     double pass_ms(const std::string& name) const {
         const auto found = passes_ms_.find(name);
         return found == passes_ms_.end() ? 0.0 : median(found->second);
     }
-    const std::vector<double>& frames_ms() const { return frame_ms_; }
 
     /// Every pass, and "outside_passes": queueing, scheduling, waiting for the last tile.
     Json passes() const {
@@ -39,7 +45,14 @@ class PassMedians {
     }
 
   private:
+    static double process_cpu_ms() {
+        timespec t{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+        return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_nsec) * 1e-6;
+    }
+
     std::vector<double> frame_ms_;
+    std::vector<double> cpu_ms_;
     std::vector<double> outside_ms_;
     std::map<std::string, std::vector<double>> passes_ms_;
 };

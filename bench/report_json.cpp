@@ -13,7 +13,9 @@
 namespace foverig::bench {
 namespace {
 
-Json or_null(const std::optional<std::string>& text) { return text ? Json(*text) : Json(nullptr); }
+Json or_null(const std::optional<std::string>& text) {
+    return text ? Json(*text) : Json(nullptr);
+}
 
 /// Embree does not tell its instruction set; the packets it takes natively do.
 Json embree_identity() {
@@ -25,8 +27,9 @@ Json embree_identity() {
     const char* isa = "SSE";
     if (native(RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED)) isa = "AVX or AVX2";
     if (native(RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)) isa = "AVX-512";
-    return {{"version", fmt::format("{}.{}.{}", version / 10000, version / 100 % 100, version % 100)},
-            {"isa", isa}};
+    return {
+        {"version", fmt::format("{}.{}.{}", version / 10000, version / 100 % 100, version % 100)},
+        {"isa", isa}};
 }
 
 }  // namespace
@@ -65,7 +68,8 @@ void Results::write() const {
         std::ofstream stream(part);
         stream << document.dump(2) << '\n';
         stream.close();
-        if (!stream) throw std::runtime_error(fmt::format("{}: cannot write the results", part.string()));
+        if (!stream)
+            throw std::runtime_error(fmt::format("{}: cannot write the results", part.string()));
         std::filesystem::rename(part, file);
     }
 }

@@ -1,5 +1,5 @@
-// Bar 5: how far the foveated image is from the full one of the same frame, over a flight of consecutive
-// frames. Inside r0 it is promised to be equal; outside, small on average.
+// Bar 5: how far the foveated image is from the full one of the same frame, over a flight of
+// consecutive frames. Inside r0 it is promised to be equal; outside, small on average.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -53,11 +53,14 @@ void run(benchmark::State& state, Bench& bench, const std::string& scene, Load l
         // The first frame has no history: it is not a frame of a flight.
         if (step > 0 && step % stride == 0) {
             counted_bad += full->render(input).numerics.nan;
-            errors.add(at, image_error(ours->image(0), full->image(0), input.eyes[0], settings.foveation.r0_deg));
+            errors.add(at, image_error(ours->image(0), full->image(0), input.eyes[0],
+                                       settings.foveation.r0_deg));
         }
         ++step;
     }
-    const double equal_share = static_cast<double>(errors.inside_equal) / static_cast<double>(std::max<std::uint64_t>(1, errors.inside_pixels));
+    const double equal_share =
+        static_cast<double>(errors.inside_equal) /
+        static_cast<double>(std::max<std::uint64_t>(1, errors.inside_pixels));
     Json row = {{"scene", scene},
                 {"load", name_of(load)},
                 {"frames", step},
@@ -70,7 +73,8 @@ void run(benchmark::State& state, Bench& bench, const std::string& scene, Load l
                 {"whole_image_mean", mean(errors.whole_means)},
                 {"nan_or_inf", errors.not_finite + counted_bad}};
     if (!subject.note.empty()) row["note"] = subject.note;
-    for (const char* key : {"inside_r0_equal_share", "inside_r0_max_difference", "outside_r0_mean", "outside_r0_worst_frame_mean"})
+    for (const char* key : {"inside_r0_equal_share", "inside_r0_max_difference", "outside_r0_mean",
+                            "outside_r0_worst_frame_mean"})
         state.counters[key] = row[key].get<double>();
     state.counters["nan_or_inf"] = static_cast<double>(errors.not_finite + counted_bad);
     state.SetLabel(subject.note);
@@ -81,9 +85,10 @@ void run(benchmark::State& state, Bench& bench, const std::string& scene, Load l
 
 void register_reprojection_error(Bench& bench) {
     for (const std::string& scene : scene_names()) {
-        for (const Load load : {Load::point, Load::area8, Load::ao16}) {
-            benchmark::RegisterBenchmark(fmt::format("BM_ReprojectionError/{}/{}", scene, name_of(load)).c_str(),
-                                         [&bench, scene, load](benchmark::State& state) { run(state, bench, scene, load); })
+        for (const Load load : {Load::point, Load::area8, Load::ao16_short}) {
+            benchmark::RegisterBenchmark(
+                fmt::format("BM_ReprojectionError/{}/{}", scene, name_of(load)).c_str(),
+                [&bench, scene, load](benchmark::State& state) { run(state, bench, scene, load); })
                 ->Iterations(bench.options.error_frames)
                 ->UseManualTime()
                 ->Unit(benchmark::kMillisecond);

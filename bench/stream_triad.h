@@ -5,7 +5,8 @@
 
 namespace foverig::bench {
 
-/// McCalpin's triad a = b + s c, bytes as STREAM counts them (24 an element), on the renderer's threads.
+/// McCalpin's triad a = b + s c, bytes as STREAM counts them (24 an element), on the renderer's
+/// threads.
 struct TriadRates {
     double plain_gb_s = 0.0;
     double non_temporal_gb_s = 0.0;

@@ -1,5 +1,6 @@
 #pragma once
-// Each suite registers its benchmarks; all of them borrow what they are given until the program ends.
+// Each suite registers its benchmarks; all of them borrow what they are given until the program
+// ends.
 #include "bench/cases.h"
 #include "bench/options.h"
 #include "bench/report_json.h"

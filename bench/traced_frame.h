@@ -1,6 +1,6 @@
 #pragma once
-// The ray passes of one frame outside their pipeline: the same queue, shading and scene handle, so that
-// bare Embree can be given the very same rays and the two can take turns.
+// The ray passes of one frame outside their pipeline: the same queue, shading and scene handle, so
+// that bare Embree can be given the very same rays and the two can take turns.
 #include <vector>
 
 #include "bench/anchor_rays.h"
@@ -9,13 +9,20 @@
 
 namespace foverig::bench {
 
-/// Queues of the tiles of a frame: all pixels in the pipelines' order, or those of a mask.
-std::vector<PixelQueue> queues_of(const EyeView& view, const Mask& mask, int tile_stride);
+/// Which pixels of a frame are queued: all of every n-th tile, or those of a foveated frame.
+struct Selection {
+    int tile_stride = 1;
+    Mask mask;            ///< empty: all
+    float r0_deg = 0.0F;  ///< of a mask: further out neighbours are not traced
+};
+
+/// Queues of the tiles of a frame, in the pipelines' order.
+std::vector<PixelQueue> queues_of(const EyeInput& eye, const Selection& selection);
 
 /// What `full` and `reprojected` both do with a tile's queue (shade_tile.h), for given queues.
 class TracedFrame {
   public:
-    TracedFrame(PipelineCore& core, const FrameInput& input, const Mask& mask, int tile_stride);
+    TracedFrame(PipelineCore& core, const FrameInput& input, const Selection& selection);
 
     /// Runs all ray passes on all tiles; pass times and ray counts as in a frame.
     FrameStats trace();

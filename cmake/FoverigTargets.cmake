@@ -23,6 +23,8 @@ function(foverig_test folder)
   add_executable(test_${name} ${sources})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(test_${name} PRIVATE FOVERIG_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # Tests are compiled once and run once: most of their time is the compiler's.
+  target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_link_libraries(test_${name} PRIVATE ${ARGN} GTest::gmock GTest::gtest_main foverig_warnings)
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60)
 endfunction()

@@ -7,10 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace foverig {
 
 using Bytes = std::span<const std::byte>;
+
+inline std::vector<std::byte> to_vector(Bytes b) {
+    return {b.begin(), b.end()};
+}
 
 inline std::uint8_t read_u8(Bytes b, std::size_t at) {
     assert(at < b.size());

@@ -12,14 +12,14 @@ enum class ErrorCode { invalid_data, io, not_found, busy, forbidden, unsupported
 
 struct Error {
     ErrorCode code = ErrorCode::invalid_data;
-    std::string text;      ///< one sentence for a person: what, where, expected, what to do
+    std::string text;  ///< one sentence for a person: what, where, expected, what to do
 };
 
 template <class T>
 class [[nodiscard]] Result {
   public:
-    Result(T value) : state_(std::move(value)) {}          // NOLINT(google-explicit-constructor)
-    Result(Error error) : state_(std::move(error)) {}      // NOLINT(google-explicit-constructor)
+    Result(T value) : state_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
+    Result(Error error) : state_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
     explicit operator bool() const { return std::holds_alternative<T>(state_); }
     const T& value() const& { return std::get<T>(state_); }

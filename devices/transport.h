@@ -14,10 +14,12 @@ namespace foverig {
 
 struct Timeout {};
 struct EndOfStream {};
-struct Fault { Error error; };
+struct Fault {
+    Error error;
+};
 
 struct Packet {
-    HostTime arrival{};                 ///< when the host had it
+    HostTime arrival{};  ///< when the host had it
     std::vector<std::byte> bytes;
 };
 
@@ -31,8 +33,10 @@ class Transport {
     /// The oldest packet that arrived by `deadline`.
     virtual NextPacket next(HostTime deadline) = 0;
     /// HID feature report SET/GET, or a vendor control request; `id` is the report or request id.
-    virtual Status control_set(std::uint8_t id, std::uint16_t value, std::span<const std::byte> data) = 0;
-    virtual Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value, std::size_t size) = 0;
+    virtual Status control_set(std::uint8_t id, std::uint16_t value,
+                               std::span<const std::byte> data) = 0;
+    virtual Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
+                                                       std::size_t size) = 0;
 };
 
 }  // namespace foverig

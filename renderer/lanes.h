@@ -39,6 +39,26 @@ RIG_INLINE void store_lanes(int* p, LaneInts v) { std::memcpy(p, &v, sizeof v); 
 
 #endif
 
+/// Smallest integers not below non-negative v.
+RIG_INLINE LaneInts ceil_lanes(Lanes v) {
+    const LaneInts whole = truncate_lanes(v);
+#if defined(__CUDACC__)
+    return whole + (static_cast<Lanes>(whole) < v ? 1 : 0);
+#else
+    return whole - (__builtin_convertvector(whole, Lanes) < v);      // a true lane is -1
+#endif
+}
+
+RIG_INLINE Lanes sqrt_lanes(Lanes v) {
+#if defined(__CUDACC__)
+    return sqrtf(v);
+#else
+    Lanes r;
+    for (int i = 0; i < kLanes; ++i) r[i] = __builtin_sqrtf(v[i]);
+    return r;
+#endif
+}
+
 RIG_INLINE Lanes select_lanes(LaneMask mask, Lanes a, Lanes b) { return mask ? a : b; }
 RIG_INLINE Lanes min_lanes(Lanes a, Lanes b) { return a < b ? a : b; }
 RIG_INLINE Lanes max_lanes(Lanes a, Lanes b) { return a > b ? a : b; }

@@ -17,6 +17,7 @@ struct View {
     RIG_HD bool empty() const { return size == 0; }
     RIG_HD T* begin() const { return data; }
     RIG_HD T* end() const { return data + size; }
+    // NOLINTNEXTLINE(google-explicit-constructor): what may be written may be read
     RIG_HD operator View<const T>() const requires(!std::is_const_v<T>) { return {data, size}; }
 };
 

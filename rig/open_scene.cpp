@@ -38,4 +38,8 @@ std::unique_ptr<Renderer> open_renderer(std::shared_ptr<const Scene> scene,
     }
 }
 
+std::unique_ptr<LensPass> open_lens(const Scenario& scenario) {
+    return scenario.display.distortion ? std::make_unique<LensPass>(scenario) : nullptr;
+}
+
 }  // namespace foverig

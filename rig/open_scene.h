@@ -3,6 +3,7 @@
 
 #include "renderer/renderer.h"
 #include "rig/scenario/scenario.h"
+#include "rig/session/lens_pass.h"
 
 namespace foverig {
 
@@ -13,5 +14,8 @@ std::shared_ptr<const Scene> open_scene(const Scenario& scenario);
 /// make_renderer, with what it refuses as UsageError.
 std::unique_ptr<Renderer> open_renderer(std::shared_ptr<const Scene> scene,
                                         const RenderSettings& settings);
+
+/// The distortion pass, or null where the scenario leaves it out.
+std::unique_ptr<LensPass> open_lens(const Scenario& scenario);
 
 }  // namespace foverig

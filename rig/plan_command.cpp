@@ -23,7 +23,7 @@ ExitCode plan_command(const PlanRequest& request) {
     fmt::print(stderr, "loading {}\n", scenario.scene);
     const auto scene = open_scene(scenario);
     const auto renderer = open_renderer(scene, scenario.render);
-    if (request.measure) Session(scenario, *scene, *renderer, nullptr).run(SessionHooks{});
+    if (request.measure) Session(scenario, *scene, *renderer, open_lens(scenario).get()).run(SessionHooks{});
     const auto plan = plan_json(renderer->plan().effects());
     fmt::print("{}", request.json ? plan.dump() + "\n" : plan_text(plan));
     return ExitCode::good;

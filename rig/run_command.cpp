@@ -21,8 +21,8 @@ namespace foverig {
 namespace {
 
 RunRecord run_session(const Scenario& scenario, const Scene& scene, Renderer& renderer,
-                      KeptImages& images) {
-    Session session(scenario, scene, renderer, nullptr);
+                      LensPass* lens, KeptImages& images) {
+    Session session(scenario, scene, renderer, lens);
     const Interrupt interrupt;
     Progress progress;
     std::optional<FrameInput> last;
@@ -82,15 +82,16 @@ ExitCode run_command(const RunRequest& request) {
     fmt::print(stderr, "loading {}\n", scenario.scene);
     const auto scene = open_scene(scenario);
     auto renderer = open_renderer(scene, scenario.render);
+    const auto lens = open_lens(scenario);
     KeptImages images(scenario);
-    const RunRecord run = run_session(scenario, *scene, *renderer, images);
+    const RunRecord run = run_session(scenario, *scene, *renderer, lens.get(), images);
     const std::uint64_t rss_bytes = peak_rss_bytes();
     renderer.reset();    // the comparison needs the memory
     compare_with_full(scenario, scene, images);
 
     nlohmann::json summary =
         summary_json(run, scenario_json(scenario), build_info(), host_info(), rss_bytes);
-    summary["images"] = images.write(folder.draft());
+    summary["images"] = images.write(folder.draft(), lens.get());
     write_records(folder, scenario, run, summary);
     folder.write("report.html", report::page(report::read_run(folder.draft())));
     folder.publish();

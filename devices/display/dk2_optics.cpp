@@ -6,11 +6,11 @@
 namespace foverig {
 namespace {
 
-constexpr double kPanelWidthM = 0.12576, kPanelHeightM = 0.07074;
-constexpr double kLensSeparationM = 0.0635;
-constexpr double kMetersPerTan = 0.036;
-constexpr dvec2 kTanEyeAngleScale{0.25 * kPanelWidthM / kMetersPerTan,
-                                  0.5 * kPanelHeightM / kMetersPerTan};
+constexpr double kPanelWidth_m = 0.12576, kPanelHeight_m = 0.07074;
+constexpr double kLensSeparation_m = 0.0635;
+constexpr double kPerTan_m = 0.036;
+constexpr dvec2 kTanEyeAngleScale{0.25 * kPanelWidth_m / kPerTan_m,
+                                  0.5 * kPanelHeight_m / kPerTan_m};
 constexpr double kMaxPanelRadius = 4;
 
 constexpr int kSegments = 10;
@@ -39,7 +39,7 @@ double green_scale(double r2) {
 }
 
 dvec2 lens_center(Eye eye) {
-    const double left = 2 * (kPanelWidthM - kLensSeparationM) / kPanelWidthM - 1;
+    const double left = 2 * (kPanelWidth_m - kLensSeparation_m) / kPanelWidth_m - 1;
     return {eye == Eye::left ? left : -left, 0};
 }
 

@@ -23,9 +23,9 @@ enum class Channel { red = 0, green = 1, blue = 2 };
 
 class Dk2Optics {
   public:
-    static constexpr double kEyeReliefM = 0.011;  ///< dial step 3; matters for colour fringes only
+    static constexpr double kEyeRelief_m = 0.011;  ///< dial step 3; matters for colour fringes only
 
-    explicit Dk2Optics(double eye_relief_m = kEyeReliefM);
+    explicit Dk2Optics(double eye_relief_m = kEyeRelief_m);
 
     /// Tangent radius over panel radius, of a channel at squared panel radius r2 >= 0.
     double scale(double r2, Channel channel = Channel::green) const;

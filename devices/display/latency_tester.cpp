@@ -42,28 +42,33 @@ LatencyTester::Pending* LatencyTester::find(int level, HostTime scan_out) {
 std::vector<LatencyReading> LatencyTester::read_back(std::uint16_t frame_count, HostTime scan_out,
                                                      std::uint8_t grey) {
     const std::optional<int> level = level_of_grey(grey);
-    Pending* const p = level && *level != kIdleLevel ? find(*level, scan_out) : nullptr;
-    if (!p) {
+    if (!level) {
         last_.reset();
         return {};
     }
+    const bool follows = last_ &&
+                         static_cast<std::uint16_t>(frame_count - last_->frame_count) == 1 &&
+                         scan_out > last_->scan_out;
+    Pending* const p = *level != kIdleLevel ? find(*level, scan_out) : nullptr;
     std::optional<LatencyReading> reading;
-    if (!p->read) {
-        // A frame that stays on the panel is read again; only its first scan-out is its latency.
+    if (p && !p->read) {
+        // A frame that stays on the panel is read again; only its first scan-out is its latency,
+        // and without the read before, this may not be the first.
         p->read = true;
-        reading = LatencyReading{p->mark.frame_id, scan_out - p->mark.imu_sample,
-                                 scan_out - p->mark.submit, scan_out - p->mark.predicted_scan_out};
+        if (follows && last_->level != *level) {
+            reading =
+                LatencyReading{p->mark.frame_id, scan_out - p->mark.imu_sample,
+                               scan_out - p->mark.submit, scan_out - p->mark.predicted_scan_out};
+        }
     }
     std::vector<LatencyReading> confirmed;
-    const bool in_order = last_ &&
-                          static_cast<std::uint16_t>(frame_count - last_->frame_count) == 1 &&
-                          p->order >= last_->order && scan_out > last_->scan_out;
-    if (in_order) {
+    if (p && follows && last_->order && p->order >= *last_->order) {
         if (last_->unconfirmed) confirmed.push_back(*last_->unconfirmed);
         if (reading) confirmed.push_back(*reading);
         reading.reset();
     }
-    last_ = Match{frame_count, scan_out, p->order, reading};
+    last_ =
+        Seen{frame_count, scan_out, *level, p ? std::optional(p->order) : std::nullopt, reading};
     for (const LatencyReading& r : confirmed) {
         if (r.submit_to_scan_out > kLongestPostPresent) continue;
         post_present_.push_back(std::max(r.submit_to_scan_out, Nanoseconds{0}));

@@ -42,9 +42,9 @@ class LatencyTester {
     /// Remembers the frame and gives the grey to draw: levels 1..7 in turn.
     std::uint8_t mark(const LatencyMark& mark);
 
-    /// A read-back triple of report 11, its vsync stamp mapped to host time. Readings appear once
-    /// two read-backs in a row match marks in order; lost reads cost readings, never give wrong
-    /// ones.
+    /// A read-back triple of report 11, its vsync stamp mapped to host time. A reading appears once
+    /// the vsync before its frame's first was seen without it, and two read-backs in a row match
+    /// marks in order; lost reads cost readings, never give wrong ones.
     std::vector<LatencyReading> read_back(std::uint16_t frame_count, HostTime scan_out,
                                           std::uint8_t grey);
 
@@ -58,17 +58,19 @@ class LatencyTester {
         LatencyMark mark;
         bool read;
     };
-    struct Match {
+    /// The read-back before: what it showed, and the mark that it matched.
+    struct Seen {
         std::uint16_t frame_count;
         HostTime scan_out;
-        std::uint64_t order;
+        int level;
+        std::optional<std::uint64_t> order;
         std::optional<LatencyReading> unconfirmed;
     };
 
     Pending* find(int level, HostTime scan_out);
 
     std::deque<Pending> pending_;
-    std::optional<Match> last_;
+    std::optional<Seen> last_;
     std::deque<Nanoseconds> post_present_;
     std::uint64_t marks_ = 0;
 };

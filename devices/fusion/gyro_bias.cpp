@@ -1,5 +1,7 @@
 #include "devices/fusion/gyro_bias.h"
 
+#include <cmath>
+
 namespace foverig {
 namespace {
 
@@ -9,32 +11,37 @@ double largest(const dvec3& v) {
 
 }  // namespace
 
-void GyroBias::add(const dvec3& gyro_rad_s, double dt_s) {
+void GyroBias::add(const dvec3& gyro_rad_s, const dvec3& accel_m_s2, double dt_s) {
     smooth_ = samples_ == 0 ? gyro_rad_s : glm::mix(smooth_, gyro_rad_s, config_.smoothing);
     const bool moves = largest(smooth_) >= config_.max_rate_rad_s ||
                        (samples_ > 0 && largest(smooth_ - mean_) >= config_.max_deviation_rad_s);
     if (moves) {
-        if (still_s_ > config_.partial_s) adopt();
+        if (still_s_ > config_.partial_s) adopt_if_gravity_was_still();
         restart();
         return;
     }
     ++samples_;
     mean_ += (gyro_rad_s - mean_) / static_cast<double>(samples_);
+    const dvec3 accel_step_m_s2 = accel_m_s2 - accel_mean_m_s2_;
+    accel_mean_m_s2_ += accel_step_m_s2 / static_cast<double>(samples_);
+    accel_squares_ += accel_step_m_s2 * (accel_m_s2 - accel_mean_m_s2_);
     still_s_ += dt_s;
     if (still_s_ >= config_.full_s) {
-        adopt();
+        adopt_if_gravity_was_still();
         restart();
     }
 }
 
-void GyroBias::adopt() {
+void GyroBias::adopt_if_gravity_was_still() {
+    const double limit = config_.max_accel_deviation_m_s2;
+    if (largest(accel_squares_) > samples_ * limit * limit) return;
     offset_rad_s_ = mean_;
     known_ = true;
 }
 
 void GyroBias::restart() {
     samples_ = 0;
-    mean_ = dvec3(0);
+    mean_ = accel_mean_m_s2_ = accel_squares_ = dvec3(0);
     still_s_ = 0;
 }
 

@@ -41,7 +41,7 @@ void HeadFusion::add(const ImuSample& sample) {
     } else {
         integrate(sample, dt_s);
     }
-    if (config_.auto_bias) bias_.add(sample.gyro_rad_s, dt_s);
+    if (config_.auto_bias) bias_.add(sample.gyro_rad_s, sample.accel_m_s2, dt_s);
     rate_rad_s_ = sample.gyro_rad_s - bias_.offset_rad_s();
     newest_ = sample;
     remember_rate(sample);

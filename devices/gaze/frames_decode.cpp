@@ -112,7 +112,7 @@ Result<Frame> body(Bytes b, std::uint8_t minor, FrameOfType (*read)(Bytes)) {
 Result<Frame> decode_frame(Bytes b) {
     if (b.size() < FrameHeader::kSize + kCrcSize)
         return bad_frame("{} bytes, less than a header", b.size());
-    if (read_u32(b, 0) != 0x315A4753u)
+    if (read_u32(b, 0) != detail::kMagic)
         return bad_frame("magic {:08x}, expected SGZ1", read_u32(b, 0));
     if (read_u8(b, 4) != FrameHeader::kMajor)
         return bad_frame("version {}, expected 1", read_u8(b, 4));

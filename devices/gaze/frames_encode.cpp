@@ -12,7 +12,7 @@ using Out = std::span<std::byte>;
 template <class FrameOfType>
 std::array<std::byte, FrameOfType::kSize> begin(const FrameOfType& frame) {
     std::array<std::byte, FrameOfType::kSize> b{};
-    write_u32(b, 0, 0x315A4753u);  // "SGZ1"
+    write_u32(b, 0, detail::kMagic);
     write_u8(b, 4, FrameHeader::kMajor);
     write_u8(b, 5, FrameHeader::kMinor);
     write_u8(b, 6, static_cast<std::uint8_t>(FrameOfType::kType));

@@ -52,7 +52,7 @@ void write_text(Out b, std::size_t at, const std::string& text) {
 
 Result<Info> Info::decode(Bytes b) {
     if (auto reason = wrong_size_or_crc("GET_INFO", b, kSize)) return *reason;
-    if (read_u32(b, 0) != 0x315A4753u) return bad_payload("GET_INFO", "magic is not SGZ1");
+    if (read_u32(b, 0) != detail::kMagic) return bad_payload("GET_INFO", "magic is not SGZ1");
     return Info{.major = read_u8(b, 4),
                 .minor = read_u8(b, 5),
                 .rates = read_u16(b, 6),
@@ -67,7 +67,7 @@ Result<Info> Info::decode(Bytes b) {
 
 std::array<std::byte, Info::kSize> Info::encode() const {
     std::array<std::byte, kSize> b{};
-    write_u32(b, 0, 0x315A4753u);
+    write_u32(b, 0, detail::kMagic);
     write_u8(b, 4, major);
     write_u8(b, 5, minor);
     write_u16(b, 6, rates);

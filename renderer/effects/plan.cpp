@@ -79,14 +79,14 @@ EffectPlan::EffectPlan(const Scene& scene, const RenderSettings& settings) {
     const bool reprojects = settings.pipeline == "reprojected";
     add(textures(scene), {});
     add(alpha_mask(scene), {});
-    add(point_light(scene, settings.lighting), {"shadow_point"});
+    add(point_light(scene, settings.lighting), {"shadow_point", "shade_point_light"});
     add(area_light(scene, settings.lighting), {"shadow_area"});
     add(ambient_occlusion(scene, settings.lighting), {"ambient_occlusion"});
     const bool stochastic = on(Effect::area_light) || on(Effect::ambient_occlusion);
     add({stochastic, stochastic ? "area light or ambient occlusion is sampled" : "no light is sampled at random"}, {});
     add(moving_geometry(scene), {"move_geometry"});
     add({reprojects, reprojects ? "pipeline is reprojected" : fmt::format("pipeline {} keeps no history", settings.pipeline)},
-        {"reproject_vertices", "reproject_coarse", "mark_resampling", "reproject", "cache_update", "merge"});
+        {"reproject_vertices", "reproject_coarse", "mark_resampling", "reproject_raster", "reproject", "cache_update", "merge"});
     add({settings.reprojection.oversampling, settings.reprojection.oversampling ? "reprojection.oversampling is on" : "reprojection.oversampling is off"}, {});
     const bool noisy_reuse = reprojects && on(Effect::light_buffer);
     add({noisy_reuse, noisy_reuse ? "resampled pixels carry light noise that their neighbours do not" : "no light noise next to reused pixels"}, {"post_process"});

@@ -46,13 +46,19 @@ struct PointLightRays {
     }
 };
 
-/// Phong: kd/pi cos + ks cos^n of the mirrored direction, times intensity over distance squared.
+struct StoreVisible {
+    Surfaces surfaces;
+
+    RIG_HD void operator()(int slot, float visible) const { surfaces.at(Row::visible, slot) = visible; }
+};
+
+/// Adds a point light where it is visible. Phong: kd/pi cos + ks cos^n of the mirrored direction, times intensity over distance squared.
 struct AddPointLight {
     Surfaces surfaces;
     PointLight light;
 
-    RIG_HD void operator()(int slot, float visible) const {
-        if (visible <= 0.0F) return;
+    RIG_HD void operator()(int slot) const {
+        if (surfaces.at(Row::visible, slot) <= 0.0F) return;
         const vec3 to_light = light.position_m - surfaces.get3(Row::origin_x, slot);
         const float distance2 = max_of(glm::dot(to_light, to_light), kNearestLight2_m2);
         const vec3 direction = to_light * (1.0F / sqrtf(distance2));

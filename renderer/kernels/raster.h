@@ -15,7 +15,7 @@ struct RasterTile {
     float* inverse_depth = nullptr;
     float* source_x_w = nullptr;             ///< old image position times inverse depth
     float* source_y_w = nullptr;
-    float* footprint_px = nullptr;           ///< width of the new pixel in the old image
+    float* magnification = nullptr;          ///< area of the new pixel in the old image, px^2
 };
 
 struct RasterFrame {
@@ -28,127 +28,136 @@ struct RasterFrame {
     int height = kRasterTile;
 };
 
-struct RasterVertex {
-    float x;
-    float y;
-    float inverse_depth;
-    float source_x;
-    float source_y;
+/// Corners of kLanes neighbouring cells, in target pixels relative to the tile.
+struct VertexLanes {
+    Lanes x;
+    Lanes y;
+    Lanes inverse_depth;
+    Lanes source_x;
+    Lanes source_y;
 };
 
-/// Edge a -> b as e(x, y) = slope_x x + slope_y y + offset, >= 0 on its left side on screen. Written from
-/// the lower end whichever way it is asked for, so that two cells get exactly opposite values: no gap.
-struct RasterEdge {
-    float slope_x;
-    float slope_y;
-    float offset;
-
-    RIG_HD RasterEdge(const RasterVertex& a, const RasterVertex& b) {
-        const bool forward = a.y < b.y || (a.y == b.y && a.x < b.x);
-        const float ax = forward ? a.x : b.x;
-        const float ay = forward ? a.y : b.y;
-        const float bx = forward ? b.x : a.x;
-        const float by = forward ? b.y : a.y;
-        const float sign = forward ? 1.0F : -1.0F;
-        const float sx = ay - by;
-        const float sy = bx - ax;
-        const float k = -(sx * ax + sy * ay);
-        slope_x = sign * sx;
-        slope_y = sign * sy;
-        offset = sign * k;
-    }
+/// Set-up of kLanes triangles, one in each lane of every array: e(x, y) = edge_x x + edge_y y + edge_0 is >= 0
+/// inside for all three edges; the planes give inverse depth and source position times inverse depth.
+struct TriangleLanes {
+    alignas(32) float edge_x[3][kLanes];
+    alignas(32) float edge_y[3][kLanes];
+    alignas(32) float edge_0[3][kLanes];
+    alignas(32) float plane_x[3][kLanes];
+    alignas(32) float plane_y[3][kLanes];
+    alignas(32) float plane_0[3][kLanes];
+    alignas(32) float magnification[kLanes];     ///< old pixels per new pixel, by area
+    alignas(32) int x_begin[kLanes];
+    alignas(32) int x_end[kLanes];               ///< 0: not drawn
+    alignas(32) int y_begin[kLanes];
+    alignas(32) int y_end[kLanes];
 };
 
-/// A quantity linear over the target.
-struct RasterPlane {
-    float at_origin;
-    float slope_x;
-    float slope_y;
+/// Edge a -> b, written from its lower end whichever way it is asked for, so that the two triangles that share it
+/// get exactly opposite values: no pixel falls between them.
+RIG_INLINE void set_edge(TriangleLanes& t, int edge, const VertexLanes& a, const VertexLanes& b, Lanes orientation) {
+    const LaneMask forward = (a.y < b.y) | ((a.y == b.y) & (a.x < b.x));
+    const Lanes ax = select_lanes(forward, a.x, b.x);
+    const Lanes ay = select_lanes(forward, a.y, b.y);
+    const Lanes bx = select_lanes(forward, b.x, a.x);
+    const Lanes by = select_lanes(forward, b.y, a.y);
+    const Lanes slope_x = ay - by;
+    const Lanes slope_y = bx - ax;
+    const Lanes offset = -(slope_x * ax + slope_y * ay);
+    const Lanes sign = select_lanes(forward, orientation, -orientation);
+    store_lanes(t.edge_x[edge], sign * slope_x);
+    store_lanes(t.edge_y[edge], sign * slope_y);
+    store_lanes(t.edge_0[edge], sign * offset);
+}
 
-    RIG_HD RasterPlane(const RasterVertex& a, const RasterVertex& b, const RasterVertex& c, float fa, float fb, float fc, float inverse_area) {
-        const float db = fb - fa;
-        const float dc = fc - fa;
-        slope_x = (db * (c.y - a.y) - dc * (b.y - a.y)) * inverse_area;
-        slope_y = (dc * (b.x - a.x) - db * (c.x - a.x)) * inverse_area;
-        at_origin = fa - slope_x * a.x - slope_y * a.y;
-    }
-};
+RIG_INLINE void set_plane(TriangleLanes& t, int plane, const VertexLanes& a, const VertexLanes& b, const VertexLanes& c, Lanes fa, Lanes fb, Lanes fc, Lanes inverse_area) {
+    const Lanes db = fb - fa;
+    const Lanes dc = fc - fa;
+    const Lanes slope_x = (db * (c.y - a.y) - dc * (b.y - a.y)) * inverse_area;
+    const Lanes slope_y = (dc * (b.x - a.x) - db * (c.x - a.x)) * inverse_area;
+    store_lanes(t.plane_x[plane], slope_x);
+    store_lanes(t.plane_y[plane], slope_y);
+    store_lanes(t.plane_0[plane], fa - slope_x * a.x - slope_y * a.y);
+}
 
-RIG_INLINE void raster_triangle(const RasterTile& tile, int width, int height, RasterVertex a, RasterVertex b, RasterVertex c, float cell_px2) {
-    float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-    if (!(fabsf(area) > 1.0e-12F)) return;       // px^2: no pixel centre can lie in it
-    if (area < 0.0F) {                            // seen from behind: still the surface that is there
-        const RasterVertex t = b;
-        b = c;
-        c = t;
-        area = -area;
-    }
-    const float left = min_of(min_of(a.x, b.x), c.x);
-    const float right = max_of(max_of(a.x, b.x), c.x);
-    const float top = min_of(min_of(a.y, b.y), c.y);
-    const float bottom = max_of(max_of(a.y, b.y), c.y);
-    const int x_begin = static_cast<int>(ceilf(max_of(left - 0.5F, 0.0F)));
-    const int x_end = static_cast<int>(floorf(min_of(right + 0.5F, static_cast<float>(width))));
-    const int y_begin = static_cast<int>(ceilf(max_of(top - 0.5F, 0.0F)));
-    const int y_end = static_cast<int>(floorf(min_of(bottom + 0.5F, static_cast<float>(height))));
-    if (x_begin >= x_end || y_begin >= y_end) return;
-    const RasterEdge ab(a, b);
-    const RasterEdge bc(b, c);
-    const RasterEdge ca(c, a);
-    const float inverse_area = 1.0F / area;
-    const RasterPlane depth(a, b, c, a.inverse_depth, b.inverse_depth, c.inverse_depth, inverse_area);
-    const RasterPlane source_x(a, b, c, a.source_x * a.inverse_depth, b.source_x * b.inverse_depth, c.source_x * c.inverse_depth, inverse_area);
-    const RasterPlane source_y(a, b, c, a.source_y * a.inverse_depth, b.source_y * b.inverse_depth, c.source_y * c.inverse_depth, inverse_area);
-    const float footprint = sqrtf(cell_px2 * inverse_area);
-    for (int y = y_begin; y < y_end; ++y) {
+/// Twice the area below which no pixel centre can lie inside, in px^2.
+inline constexpr float kSmallestArea_px2 = 1.0e-12F;
+
+RIG_INLINE TriangleLanes set_up_triangles(const VertexLanes& a, const VertexLanes& b, const VertexLanes& c, Lanes cell_px2, int width, int height) {
+    TriangleLanes t;
+    const Lanes zero{};
+    const Lanes one = zero + 1.0F;
+    const Lanes area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    // Seen from behind it is still the surface that is there: the edges are turned round.
+    const Lanes orientation = select_lanes(area < zero, -one, one);
+    const LaneMask drawn = (area * orientation > zero + kSmallestArea_px2) & (a.inverse_depth > zero) & (b.inverse_depth > zero) & (c.inverse_depth > zero);
+    const Lanes inverse_area = one / select_lanes(drawn, area, one);
+    set_edge(t, 0, a, b, orientation);
+    set_edge(t, 1, b, c, orientation);
+    set_edge(t, 2, c, a, orientation);
+    set_plane(t, 0, a, b, c, a.inverse_depth, b.inverse_depth, c.inverse_depth, inverse_area);
+    set_plane(t, 1, a, b, c, a.source_x * a.inverse_depth, b.source_x * b.inverse_depth, c.source_x * c.inverse_depth, inverse_area);
+    set_plane(t, 2, a, b, c, a.source_y * a.inverse_depth, b.source_y * b.inverse_depth, c.source_y * c.inverse_depth, inverse_area);
+    store_lanes(t.magnification, cell_px2 * inverse_area * orientation);
+    const Lanes left = min_lanes(min_lanes(a.x, b.x), c.x);
+    const Lanes right = max_lanes(max_lanes(a.x, b.x), c.x);
+    const Lanes top = min_lanes(min_lanes(a.y, b.y), c.y);
+    const Lanes bottom = max_lanes(max_lanes(a.y, b.y), c.y);
+    const Lanes last_x = zero + static_cast<float>(width);
+    const Lanes last_y = zero + static_cast<float>(height);
+    store_lanes(t.x_begin, ceil_lanes(min_lanes(max_lanes(left - 0.5F, zero), last_x)));
+    store_lanes(t.y_begin, ceil_lanes(min_lanes(max_lanes(top - 0.5F, zero), last_y)));
+    store_lanes(t.x_end, truncate_lanes(select_lanes(drawn, max_lanes(min_lanes(right + 0.5F, last_x), zero), zero)));
+    store_lanes(t.y_end, truncate_lanes(max_lanes(min_lanes(bottom + 0.5F, last_y), zero)));
+    return t;
+}
+
+RIG_INLINE void raster_triangle(const RasterTile& tile, const TriangleLanes& t, int lane) {
+    const int x_end = t.x_end[lane];
+    const Lanes zero{};
+    for (int y = t.y_begin[lane]; y < t.y_end[lane]; ++y) {
         const float py = static_cast<float>(y) + 0.5F;
-        const float ab_row = ab.slope_y * py + ab.offset;
-        const float bc_row = bc.slope_y * py + bc.offset;
-        const float ca_row = ca.slope_y * py + ca.offset;
-        const float depth_row = depth.slope_y * py + depth.at_origin;
-        const float source_x_row = source_x.slope_y * py + source_x.at_origin;
-        const float source_y_row = source_y.slope_y * py + source_y.at_origin;
-        for (int x = x_begin; x < x_end; x += kLanes) {
+        for (int x = t.x_begin[lane]; x < x_end; x += kLanes) {
             const int at = y * kRasterStride + x;
             const Lanes px = lane_indices() + (static_cast<float>(x) + 0.5F);
-            const Lanes inside = min_lanes(min_lanes(ab.slope_x * px + ab_row, bc.slope_x * px + bc_row), ca.slope_x * px + ca_row);
-            const Lanes inverse_depth = depth.slope_x * px + depth_row;
+            const auto edge = [&](int e) { return t.edge_x[e][lane] * px + (t.edge_y[e][lane] * py + t.edge_0[e][lane]); };
+            const auto plane = [&](int p) { return t.plane_x[p][lane] * px + (t.plane_y[p][lane] * py + t.plane_0[p][lane]); };
+            const Lanes inside = min_lanes(min_lanes(edge(0), edge(1)), edge(2));
+            const Lanes inverse_depth = plane(0);
             const Lanes nearest = load_lanes(tile.inverse_depth + at);
-            const LaneMask drawn = (inside >= 0.0F) & (inverse_depth > nearest);
+            const LaneMask drawn = (inside >= zero) & (inverse_depth > nearest);
             store_lanes(tile.inverse_depth + at, select_lanes(drawn, inverse_depth, nearest));
-            store_lanes(tile.source_x_w + at, select_lanes(drawn, source_x.slope_x * px + source_x_row, load_lanes(tile.source_x_w + at)));
-            store_lanes(tile.source_y_w + at, select_lanes(drawn, source_y.slope_x * px + source_y_row, load_lanes(tile.source_y_w + at)));
-            store_lanes(tile.footprint_px + at, select_lanes(drawn, footprint - Lanes{}, load_lanes(tile.footprint_px + at)));
+            store_lanes(tile.source_x_w + at, select_lanes(drawn, plane(1), load_lanes(tile.source_x_w + at)));
+            store_lanes(tile.source_y_w + at, select_lanes(drawn, plane(2), load_lanes(tile.source_y_w + at)));
+            store_lanes(tile.magnification + at, select_lanes(drawn, zero + t.magnification[lane], load_lanes(tile.magnification + at)));
         }
     }
 }
 
-/// Draws the cells of one block, in order, so that ties do not depend on threads.
+/// Draws the cells of one block, in order, so that ties do not depend on threads. Vertex arrays have room for
+/// one vector past their end.
 RIG_INLINE void raster_block(const RasterFrame& frame, const RasterTile& tile, int row, int first_column) {
     const DepthMesh& m = frame.mesh;
     const int end = first_column + kBlockCells < m.columns - 1 ? first_column + kBlockCells : m.columns - 1;
-    const auto vertex = [&](int line, int column) {
+    const Lanes zero{};
+    const auto vertices = [&](int line, int column) {
         const int i = line * m.columns + column;
-        return RasterVertex{m.x_px[i] * frame.scale_x - static_cast<float>(frame.x0), m.y_px[i] * frame.scale_y - static_cast<float>(frame.y0),
-                            m.inverse_depth[i], m.source_x_px[column], m.source_y_px[line]};
+        return VertexLanes{load_lanes(m.x_px + i) * frame.scale_x - static_cast<float>(frame.x0), load_lanes(m.y_px + i) * frame.scale_y - static_cast<float>(frame.y0),
+                           load_lanes(m.inverse_depth + i), load_lanes(m.source_x_px + column), zero + m.source_y_px[line]};
     };
-    const auto right_of_all = static_cast<float>(frame.width);
-    const auto below_all = static_cast<float>(frame.height);
-    RasterVertex a = vertex(row, first_column);
-    RasterVertex c = vertex(row + 1, first_column);
-    for (int column = first_column; column < end; ++column) {
-        const RasterVertex b = vertex(row, column + 1);
-        const RasterVertex d = vertex(row + 1, column + 1);
-        const bool seen = (a.inverse_depth > 0.0F) & (b.inverse_depth > 0.0F) & (c.inverse_depth > 0.0F) & (d.inverse_depth > 0.0F);
-        const bool beside = (max_of(max_of(a.x, b.x), max_of(c.x, d.x)) < 0.0F) | (min_of(min_of(a.x, b.x), min_of(c.x, d.x)) > right_of_all) |
-                            (max_of(max_of(a.y, b.y), max_of(c.y, d.y)) < 0.0F) | (min_of(min_of(a.y, b.y), min_of(c.y, d.y)) > below_all);
-        if (seen & !beside) {
-            const float cell_px2 = (b.source_x - a.source_x) * (c.source_y - a.source_y);
-            raster_triangle(tile, frame.width, frame.height, a, b, d, cell_px2);
-            raster_triangle(tile, frame.width, frame.height, a, d, c, cell_px2);
+    for (int column = first_column; column < end; column += kLanes) {
+        const VertexLanes a = vertices(row, column);
+        const VertexLanes b = vertices(row, column + 1);
+        const VertexLanes c = vertices(row + 1, column);
+        const VertexLanes d = vertices(row + 1, column + 1);
+        const Lanes cell_px2 = (b.source_x - a.source_x) * (c.source_y - a.source_y);
+        const TriangleLanes upper = set_up_triangles(a, b, d, cell_px2, frame.width, frame.height);
+        const TriangleLanes lower = set_up_triangles(a, d, c, cell_px2, frame.width, frame.height);
+        const int cells = end - column < kLanes ? end - column : kLanes;
+        for (int lane = 0; lane < cells; ++lane) {
+            raster_triangle(tile, upper, lane);
+            raster_triangle(tile, lower, lane);
         }
-        a = b;
-        c = d;
     }
 }
 

@@ -50,7 +50,7 @@ struct ReprojectPixels {
             const Lanes source_x = load_lanes(tile.source_x_w + at) * depth;
             const Lanes source_y = load_lanes(tile.source_y_w + at) * depth;
             // A magnified pixel still sees one texel; a strongly minified one is a silhouette's smear.
-            const Lanes width = min_lanes(max_lanes(load_lanes(tile.footprint_px + at), one), zero + kWidestFootprint_px);
+            const Lanes width = sqrt_lanes(min_lanes(max_lanes(load_lanes(tile.magnification + at), one), zero + kWidestFootprint_px * kWidestFootprint_px));
             for (int k = 0; k < kTaps; ++k) {
                 const Lanes tap_x = source_x + width * load_lanes(taps.row(k, 0, y & 7) + (x & 7));
                 const Lanes tap_y = source_y + width * load_lanes(taps.row(k, 1, y & 7) + (x & 7));

@@ -13,6 +13,7 @@ enum class Row {
     view_x, view_y, view_z,              // unit, to the eye
     colour_r, colour_g, colour_b,        // everything but the stochastic light
     depth,
+    visible,                             // of the point light in hand: 1 or 0
     irradiance_r, irradiance_g, irradiance_b, occlusion,     // the light buffer's part: last, so that
     count,                                                   // without it the rows are not there
 };

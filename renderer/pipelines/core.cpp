@@ -45,6 +45,8 @@ FrameStats PipelineCore::end_frame(std::uint64_t all_pixels) {
         stats.rays.primary += s.rays.primary;
         stats.rays.shadow += s.rays.shadow;
         stats.rays.ao += s.rays.ao;
+        stats.rays.reflection += s.rays.reflection;
+        stats.rays.probe += s.rays.probe;
         stats.sampled_pixels += s.sampled_pixels;
         stats.numerics.nan += s.numerics.nan;
         stats.numerics.inf += s.numerics.inf;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "renderer/pipelines/full.h"
+#include "renderer/pipelines/reference.h"
 #include "renderer/pipelines/reprojected.h"
 
 namespace foverig {
@@ -24,6 +25,7 @@ std::unique_ptr<Renderer> make_renderer(std::shared_ptr<const Scene> scene, cons
     require_known("pipeline", settings.pipeline, pipeline_names());
     require_known("backend", settings.backend, backend_names());
     if (settings.pipeline == "full") return std::make_unique<FullRenderer>(std::move(scene), settings);
+    if (settings.pipeline == "reference") return std::make_unique<ReferenceRenderer>(std::move(scene), settings);
     return std::make_unique<ReprojectedRenderer>(std::move(scene), settings);
 }
 

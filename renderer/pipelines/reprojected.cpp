@@ -99,22 +99,24 @@ int ReprojectedRenderer::queue_pixels(embree::Lane& lane, int thread, Reprojecte
                 SelectPixels{foveal_, rays, gaze, frame_seed, eye.resampled(), eye.support_column.data(), eye.support_row.data(),
                              zone_of(rect, rays, gaze, foveal_), rect.x0, rect.y0, rect.width, flags});
     const Samples samples = eye.samples(tile);
-    const PackedPixel corner = pack_pixel(static_cast<std::uint32_t>(rect.x0), static_cast<std::uint32_t>(rect.y0));
-    int n = 0;
-    for (const std::uint32_t at : kCoherentOrder) {
-        const std::uint8_t why = flags[at];
-        samples.pixels[n] = corner + pack_pixel(at % kTile, at / kTile);
-        samples.flags[n] = why;
-        n += why != 0 ? 1 : 0;
-        if (n == kTilePixels) break;
-    }
     TileScratch& scratch = core_.scratch(thread);
     std::uint8_t* const sparse = scratches_[static_cast<std::size_t>(thread)].sparse.data();
-    for (int i = 0; i < n; ++i) {
-        scratch.pixels[static_cast<std::size_t>(i)] = samples.pixels[i];
-        sparse[i] = (samples.flags[i] & kFovealSample) == 0 ? 1 : 0;
-    }
     scratch.sparse = sparse;
+    int n = 0;
+    lane.launch("queue_pixels", 1, [&](int) {
+        const PackedPixel corner = pack_pixel(static_cast<std::uint32_t>(rect.x0), static_cast<std::uint32_t>(rect.y0));
+        for (const std::uint32_t at : kCoherentOrder) {
+            const std::uint8_t why = flags[at];
+            if (why == 0) continue;
+            samples.pixels[n] = corner + pack_pixel(at % kTile, at / kTile);
+            samples.flags[n] = why;
+            ++n;
+        }
+        for (int i = 0; i < n; ++i) {
+            scratch.pixels[static_cast<std::size_t>(i)] = samples.pixels[i];
+            sparse[i] = (samples.flags[i] & kFovealSample) == 0 ? 1 : 0;
+        }
+    });
     return n;
 }
 

@@ -50,13 +50,14 @@ ReprojectedEye::ReprojectedEye(MemoryCount& memory, const EffectPlan& plan, cons
     support_row = {memory, height};
     coarse_column = {memory, width};
     coarse_row = {memory, height};
-    source_x_px = {memory, columns};
+    source_x_px = {memory, columns + kBlockCells};
     source_y_px = {memory, rows};
     fill_axis(coarse_grid.width_px, grid.width_px, support_column, coarse_column, source_x_px);
     fill_axis(coarse_grid.height_px, grid.height_px, support_row, coarse_row, source_y_px);
-    vertex_x_px = {memory, cells};
-    vertex_y_px = {memory, cells};
-    vertex_inverse_depth = {memory, cells};
+    const std::size_t vertices = cells + kBlockCells;        // the last vector reads past the last row
+    vertex_x_px = {memory, vertices};
+    vertex_y_px = {memory, vertices};
+    vertex_inverse_depth = {memory, vertices};
     for (std::size_t g = 0; g < 2; ++g) {
         colour_[g] = {memory, pixels};
         info_[g] = {memory, pixels};
@@ -68,6 +69,8 @@ ReprojectedEye::ReprojectedEye(MemoryCount& memory, const EffectPlan& plan, cons
     }
     const auto block_count = static_cast<std::size_t>((coarse_grid.width_px - 1 + kBlockCells - 1) / kBlockCells * (coarse_grid.height_px - 1));
     block_boxes_ = {memory, 4 * ((block_count + 7) / 8 * 8)};
+    // First columns past all tiles: the blocks that pad the last eight are met by none.
+    std::fill_n(block_boxes_.data(), block_boxes_.size() / 4, std::uint8_t{255});
     coarse_values_ = {memory, 3 * cells};
     coarse_marked_ = {memory, cells};
     const std::size_t capacity = static_cast<std::size_t>(grid.count()) * kTilePixels;

@@ -92,8 +92,10 @@ void shade_as_planned(embree::Lane& lane, TileScratch& s, const ShadingFrame& f,
 }
 
 void add_point_lights(embree::Lane& lane, TileScratch& s, const ShadingFrame& f, int n) {
-    for (const PointLight& light : f.scene.point_lights)
-        s.rays.shadow += lane.visible("shadow_point", n, 1, PointLightRays{s.surfaces(), light}, AddPointLight{s.surfaces(), light});
+    for (const PointLight& light : f.scene.point_lights) {
+        s.rays.shadow += lane.visible("shadow_point", n, 1, PointLightRays{s.surfaces(), light}, StoreVisible{s.surfaces()});
+        lane.launch("shade_point_light", n, AddPointLight{s.surfaces(), light});
+    }
 }
 
 void add_area_lights(embree::Lane& lane, TileScratch& s, const ShadingFrame& f, int n) {
@@ -134,7 +136,8 @@ int shade_tile(embree::Lane& lane, TileScratch& s, const ShadingFrame& f, int n)
     lane.closest("trace_primary", n, CameraRays{f.eye, s.pixels.view(), f.jitter_px}, StoreHit{s.hits.view()});
     s.rays.primary += static_cast<std::uint64_t>(n);
     s.sampled_pixels += static_cast<std::uint64_t>(n);
-    const int surfaces = f.plan->on(Effect::light_buffer) ? order_by_pattern(s, f, n) : order_by_pixel(s, n);
+    int surfaces = 0;
+    lane.launch("order_slots", 1, [&](int) { surfaces = f.plan->on(Effect::light_buffer) ? order_by_pattern(s, f, n) : order_by_pixel(s, n); });
     if (f.plan->on(Effect::textures)) shade_as_planned<true>(lane, s, f, n);
     else shade_as_planned<false>(lane, s, f, n);
     if (f.plan->on(Effect::point_light)) add_point_lights(lane, s, f, surfaces);

@@ -10,7 +10,4 @@ namespace foverig::scene_import {
 /// offsets, lengths and counts are whole numbers from 0. Throws SceneError naming the JSON path.
 void check_gltf_json(std::string_view json, const ImportContext& context);
 
-/// The JSON text of a GLB file. Throws SceneError where its header or first chunk is wrong.
-std::string_view glb_json(std::string_view bytes, const ImportContext& context);
-
 }  // namespace foverig::scene_import

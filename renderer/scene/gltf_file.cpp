@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "renderer/scene/gltf_check.h"
+#include "renderer/scene/gltf_json.h"
 #include "renderer/scene/import_error.h"
 #include "renderer/scene/scene_folder.h"
 

@@ -16,6 +16,8 @@ using scene_import::ImportedScene;
 
 namespace {
 
+inline constexpr std::size_t kMostNotes = 20;
+
 ImportedScene read_by_suffix(const ImportContext& context) {
     std::string suffix = context.file.extension().string();
     std::transform(suffix.begin(), suffix.end(), suffix.begin(),
@@ -36,6 +38,12 @@ Scene import_checked(const ImportContext& context) {
     scene.name = context.file.stem().string();
     update_bounds(scene);
     scene_import::add_default_view(scene);
+    // Thousands of missing materials are one finding, not thousands.
+    if (scene.notes.size() > kMostNotes) {
+        const std::size_t more = scene.notes.size() - kMostNotes;
+        scene.notes.resize(kMostNotes);
+        scene.notes.push_back(fmt::format("and {} more of the kind", more));
+    }
     check_scene(scene);
     return scene;
 }

@@ -108,37 +108,40 @@ bool Occupancy::free_between(const vec3& from_m, const vec3& to_m) const {
 }
 
 /// Chessboard distance by two sweeps, each of which looks at the 13 neighbours it has already
-/// passed.
+/// passed. The outermost cells are margin and keep the largest value.
 void Occupancy::measure_clearance() {
     clearance_.assign(hits_.size(), 255);
-    const auto relax = [this](const ivec3& cell, int sign) {
-        int& least = clearance_[index(cell)];
-        if (solid(cell)) least = 0;
-        for (int i = 0; i < 13; ++i) {
-            const ivec3 at = cell + sign * ivec3(i % 3 - 1, i / 9 - 1, i / 3 % 3 - 1);
-            if (inside(at)) least = std::min(least, clearance_[index(at)] + 1);
-        }
+    for (std::size_t i = 0; i < hits_.size(); ++i)
+        if (hits_[i] > 0) clearance_[i] = 0;
+    std::array<std::ptrdiff_t, 13> passed{};
+    for (int i = 0; i < 13; ++i)
+        passed[static_cast<std::size_t>(i)] =
+            (std::ptrdiff_t{i / 9 - 1} * size_.z + (i / 3 % 3 - 1)) * size_.x + (i % 3 - 1);
+    const auto relax = [&](const ivec3& cell, std::ptrdiff_t sign) {
+        int* least = clearance_.data() + index(cell);
+        for (const std::ptrdiff_t step : passed) *least = std::min(*least, least[sign * step] + 1);
     };
-    const ivec3 last = size_ - 1;
-    for (int y = 0; y <= last.y; ++y)
-        for (int z = 0; z <= last.z; ++z)
-            for (int x = 0; x <= last.x; ++x) relax(ivec3(x, y, z), 1);
-    for (int y = last.y; y >= 0; --y)
-        for (int z = last.z; z >= 0; --z)
-            for (int x = last.x; x >= 0; --x) relax(ivec3(x, y, z), -1);
+    const ivec3 last = size_ - 2;
+    for (int y = 1; y <= last.y; ++y)
+        for (int z = 1; z <= last.z; ++z)
+            for (int x = 1; x <= last.x; ++x) relax(ivec3(x, y, z), 1);
+    for (int y = last.y; y >= 1; --y)
+        for (int z = last.z; z >= 1; --z)
+            for (int x = last.x; x >= 1; --x) relax(ivec3(x, y, z), -1);
 }
 
 bool Occupancy::in_room(const ivec3& cell) const {
     if (solid(cell)) return false;
-    int blocked = 0;
+    int open = 0;
     int front = 0;
     for (const ivec3& direction : {ivec3(1, 0, 0), ivec3(-1, 0, 0), ivec3(0, 1, 0), ivec3(0, -1, 0),
                                    ivec3(0, 0, 1), ivec3(0, 0, -1)}) {
         const Sight sight = look(cell, direction);
-        blocked += sight.blocked ? 1 : 0;
+        open += sight.blocked ? 0 : 1;
         front += sight.front ? 1 : 0;
+        if (open > 1) return false;
     }
-    return blocked >= 5 && front >= 3;
+    return front >= 3;
 }
 
 double Occupancy::room_share() const {

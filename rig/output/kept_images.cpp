@@ -7,8 +7,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "rig/output/panel_picture.h"
-
 namespace foverig {
 namespace {
 
@@ -67,7 +65,7 @@ void KeptImages::compare_with(Renderer& full) {
     }
 }
 
-nlohmann::json KeptImages::write(const std::filesystem::path& folder) const {
+nlohmann::json KeptImages::write(const std::filesystem::path& folder, const LensPass* lens) const {
     nlohmann::json list = nlohmann::json::array();
     std::filesystem::create_directories(folder / "images");
     for (const Frame& frame : frames_) {
@@ -89,8 +87,10 @@ nlohmann::json KeptImages::write(const std::filesystem::path& folder) const {
                 list.back()["mean_absolute_error"] = images.mean_absolute_error;
             }
         }
-        add("", "panel", panel_picture(frame.eyes[0].final,
-                                       frame.eyes.size() > 1 ? frame.eyes[1].final : Image{}));
+        if (lens == nullptr) continue;
+        std::vector<Image> finals;
+        for (const EyeImages& images : frame.eyes) finals.push_back(images.final);
+        add("", "panel", lens->picture(finals));
     }
     return list;
 }

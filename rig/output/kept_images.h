@@ -8,6 +8,7 @@
 
 #include "renderer/renderer.h"
 #include "rig/scenario/scenario.h"
+#include "rig/session/lens_pass.h"
 
 namespace foverig {
 
@@ -24,9 +25,9 @@ class KeptImages {
     /// Compares every kept frame with `full` rendered from the same input, if any was kept.
     void compare_with(Renderer& full);
 
-    /// Writes images/*.png below `folder`; returns the summary's list
-    /// [{frame, eye, kind, file, mean_absolute_error}].
-    nlohmann::json write(const std::filesystem::path& folder) const;
+    /// Writes images/*.png below `folder`, the panel's picture too where there is a lens pass; returns
+    /// the summary's list [{frame, eye, kind, file, mean_absolute_error}].
+    nlohmann::json write(const std::filesystem::path& folder, const LensPass* lens) const;
 
     bool empty() const { return frames_.empty(); }
 

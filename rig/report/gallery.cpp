@@ -25,13 +25,12 @@ struct Kind {
     const char* caption;
 };
 
-constexpr std::array<Kind, 6> kKinds{{
+constexpr std::array<Kind, 5> kKinds{{
     {"final", "as rendered"},
-    {"panel", "on the panel, distorted"},
-    {"full", "rendered in full"},
-    {"error", "difference to full, 8 times"},
     {"sampling", "traced pixels"},
     {"resampling", "reprojection found wanting"},
+    {"error", "difference to full, 8 times"},
+    {"panel", "on the panel, distorted"},
 }};
 
 std::vector<Kept> kept_images(const RunData& run) {
@@ -64,14 +63,19 @@ std::string drawn(const RunData& run, const std::vector<Kept>& images, int width
     for (const Kept& image : images) by_frame[image.frame].push_back(&image);
     std::string html;
     for (const auto& [frame, of_frame] : by_frame) {
-        html += fmt::format("<h3>Frame {}</h3><div class=\"gallery\">", frame);
-        for (const Kind& kind : kKinds) {
-            for (const Kept* image : of_frame) {
-                const int width = image->kind == "panel" ? 2 * width_px : width_px;
-                if (image->kind == kind.name) html += figure(run, *image, kind.caption, width);
+        html += fmt::format("<h3>Frame {}</h3>", frame);
+        // A row for each eye, so that its pictures lie side by side; the panel shows both.
+        for (const char* eye : {"left", "right", ""}) {
+            html += "<div class=\"gallery\">";
+            for (const Kind& kind : kKinds) {
+                for (const Kept* image : of_frame) {
+                    if (image->eye != eye || image->kind != kind.name) continue;
+                    const int width = image->eye.empty() ? 2 * width_px : width_px;
+                    html += figure(run, *image, kind.caption, width);
+                }
             }
+            html += "</div>";
         }
-        html += "</div>";
     }
     return html;
 }

@@ -53,8 +53,8 @@ th.n, td.n { text-align: right; font-variant-numeric: tabular-nums; white-space:
 tr.off td { color: var(--soft); }
 code, pre { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: 12.5px; }
 pre { background: var(--panel); padding: 12px; border-radius: 6px; overflow-x: auto; }
-.gallery { display: flex; flex-wrap: wrap; gap: 14px; align-items: flex-start; }
-figure { margin: 0; } figure.eye { flex: 0 1 calc(33.3% - 10px); min-width: 200px; }
+.gallery { display: flex; flex-wrap: wrap; gap: 14px; align-items: flex-start; margin-bottom: 14px; }
+figure { margin: 0; } figure.eye { flex: 1 1 calc(25% - 11px); min-width: 190px; max-width: 50%; }
 figure.wide { flex: 1 1 100%; } figure img { width: 100%; height: auto; border-radius: 4px; display: block; }
 figcaption { font-size: 12.5px; color: var(--soft); margin-top: 4px; }
 figcaption code { font-size: 11.5px; overflow-wrap: anywhere; }

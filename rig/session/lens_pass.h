@@ -1,18 +1,31 @@
 #pragma once
-#include "renderer/image.h"
+#include <span>
+#include <vector>
+
+#include "devices/time.h"
+#include "renderer/pipelines/lens_distortion.h"
 #include "renderer/renderer.h"
+#include "rig/scenario/scenario.h"
 
 namespace foverig {
 
-/// Warps the eyes' images onto the panel: lens distortion with chromatic correction
+/// Puts the eyes' images on the DK2's panel: lens distortion with chromatic correction
 /// (DEVICES.md 2.1). Runs between submit and present, on the frame's time.
 class LensPass {
   public:
-    virtual ~LensPass() = default;
-    /// Of the renderer's last frame. The pass's own time; it joins the frame's passes.
-    virtual PassTime warp(const Renderer& renderer) = 0;
-    /// What `warp` last put on the panel, landscape 1920x1080.
-    virtual Image panel() const = 0;
+    explicit LensPass(const Scenario& scenario);
+
+    /// Of the renderer's last frame; the passes' times join the frame's.
+    std::vector<PassTime> run(const Renderer& renderer);
+
+    /// The same for images that were kept: landscape, 960x1080 for each eye, the left one first.
+    Image picture(std::span<const Image> eyes) const { return distortion_.apply(eyes); }
+
+  private:
+    WallClock clock_;
+    LensDistortion distortion_;
+    std::vector<Image> eyes_;
+    Image panel_;
 };
 
 }  // namespace foverig

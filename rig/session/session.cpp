@@ -117,7 +117,8 @@ void Session::render_frame(FrameRecord& frame, FrameInput& input) {
     frame.sampled_pixels = stats.sampled_pixels;
     frame.all_pixels = stats.all_pixels;
     frame.numerics = stats.numerics;
-    if (lens_ != nullptr) frame.passes.push_back(lens_->warp(renderer_));
+    if (lens_ == nullptr) return;
+    for (PassTime& pass : lens_->run(renderer_)) frame.passes.push_back(std::move(pass));
 }
 
 void Session::present(FrameRecord& frame, HostTime expected_vsync) {

@@ -7,12 +7,14 @@
 namespace foverig {
 namespace {
 
+/// A wrong name is wrong usage, a recording that cannot be read wrong input.
 template <class T>
-std::unique_ptr<T> motion_or_throw(const char* key, Result<std::unique_ptr<T>> made) {
+std::unique_ptr<T> motion_or_throw(const char* key, const std::string& name,
+                                   Result<std::unique_ptr<T>> made) {
     if (made) return std::move(made).value();
     const std::string text = std::string(key) + ": " + made.error().text;
-    if (made.error().code == ErrorCode::not_found) throw UsageError(text);
-    throw InputError(text);
+    if (name.ends_with(".csv")) throw InputError(text);
+    throw UsageError(text);
 }
 
 // One seed for all, told apart so that the head's noise is not the eyes'.
@@ -25,10 +27,12 @@ std::uint64_t seed_of(const Scenario& scenario, std::uint64_t stream) {
 }  // namespace
 
 SimulatedWorld::SimulatedWorld(const Scenario& scenario, Clock& clock)
-    : head_(motion_or_throw(
-          "motion.head", motion::make_head(scenario.motion.head, seed_of(scenario, kHeadStream)))),
-      eyes_(motion_or_throw(
-          "motion.gaze", motion::make_eye(scenario.motion.gaze, seed_of(scenario, kEyeStream)))),
+    : head_(motion_or_throw("motion.head", scenario.motion.head,
+                            motion::make_head(scenario.motion.head,
+                                              seed_of(scenario, kHeadStream)))),
+      eyes_(motion_or_throw("motion.gaze", scenario.motion.gaze,
+                            motion::make_eye(scenario.motion.gaze,
+                                             seed_of(scenario, kEyeStream)))),
       panel_({.timing = PanelTiming::at(scenario.display.rate_hz),
               .first_vsync = clock.now(),
               .faults = scenario.faults.panel,

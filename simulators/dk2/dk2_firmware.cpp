@@ -117,8 +117,7 @@ std::vector<std::byte> Dk2Firmware::report11(const SamplePacker::Packed& packed,
     report.slots = packed.slots;
     fill_panel(report, now);
     fill_tracking(report, now);
-    const auto bytes = report.encode();
-    return {bytes.begin(), bytes.end()};
+    return to_vector(report.encode());
 }
 
 std::vector<std::byte> Dk2Firmware::report1(const SamplePacker::Packed& packed) const {
@@ -130,8 +129,7 @@ std::vector<std::byte> Dk2Firmware::report1(const SamplePacker::Packed& packed) 
     report.slots = {packed.slots[0], packed.slots[1], {}};
     // Three slots here: with more than two samples the mean stands for the first two of them.
     if (packed.num_samples > 2) report.slots = {packed.slots[0], packed.slots[0], packed.slots[1]};
-    const auto bytes = report.encode();
-    return {bytes.begin(), bytes.end()};
+    return to_vector(report.encode());
 }
 
 void Dk2Firmware::fill_panel(dk2::InputReport11& report, HostTime now) {

@@ -14,12 +14,6 @@ Status store(Report& kept, Bytes report) {
     return Done{};
 }
 
-template <class Report>
-std::vector<std::byte> bytes_of(const Report& report) {
-    const auto encoded = report.encode();
-    return {encoded.begin(), encoded.end()};
-}
-
 }  // namespace
 
 bool FeatureBank::alive(HostTime now) const {
@@ -80,25 +74,25 @@ Status FeatureBank::set(Bytes report, HostTime now) {
 Result<std::vector<std::byte>> FeatureBank::get(std::uint8_t id) const {
     switch (id) {
         case dk2::ConfigReport::kId:
-            return bytes_of(config_);
+            return to_vector(config_.encode());
         case dk2::FactoryCalibrationReport::kId:
-            return bytes_of(dk2::FactoryCalibrationReport{});
+            return to_vector(dk2::FactoryCalibrationReport{}.encode());
         case dk2::RangeReport::kId:
-            return bytes_of(range_);
+            return to_vector(range_.encode());
         case dk2::DisplayInfoReport::kId:
-            return bytes_of(dk2::DisplayInfoReport{});
+            return to_vector(dk2::DisplayInfoReport{}.encode());
         case dk2::SerialReport::kId:
-            return bytes_of(dk2::SerialReport{0, "FOVERIGSIM01"});
+            return to_vector(dk2::SerialReport{0, "FOVERIGSIM01"}.encode());
         case dk2::TrackingReport::kId:
-            return bytes_of(tracking_);
+            return to_vector(tracking_.encode());
         case dk2::DisplayReport::kId:
-            return bytes_of(display_);
+            return to_vector(display_.encode());
         case dk2::KeepAliveMuxReport::kId:
-            return bytes_of(keep_alive_);
+            return to_vector(keep_alive_.encode());
         case dk2::GyroOffsetReport::kId:
-            return bytes_of(dk2::GyroOffsetReport{});
+            return to_vector(dk2::GyroOffsetReport{}.encode());
         case dk2::LensDistortionReport::kId:
-            return bytes_of(dk2::LensDistortionReport{});
+            return to_vector(dk2::LensDistortionReport{}.encode());
         default:
             return Error{ErrorCode::unsupported,
                          fmt::format("the simulated DK2 does not answer feature report {}", id)};

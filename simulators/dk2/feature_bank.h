@@ -2,7 +2,6 @@
 // The DK2's feature reports as its firmware keeps them (DEVICES.md 1.5, 1.6).
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "devices/dk2/calibration_reports.h"

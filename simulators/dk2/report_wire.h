@@ -20,7 +20,6 @@ class ReportWire {
     /// The oldest packet that arrived by `deadline`.
     std::optional<Packet> take(HostTime deadline);
     std::optional<HostTime> first_arrival() const;
-    void clear() { arriving_.clear(); }
 
   private:
     bool lost();

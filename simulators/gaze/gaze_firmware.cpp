@@ -10,16 +10,9 @@ using gaze::DeviceState;
 
 constexpr double kClockAtPlugIn_s = 1000.0;  // another epoch than the host's and the DK2's
 constexpr double kShortestLatency_ms = 8.0, kLongestLatency_ms = 30.0;
-constexpr auto kHeartbeat = std::chrono::seconds(1);
 constexpr std::size_t kSpoiltByte = 40;
 
 enum Stream : std::uint64_t { kLost = 810, kDropped, kSpoilt, kRepeated, kLatencyDraw };
-
-template <class Frame>
-std::vector<std::byte> bytes_of(const Frame& frame) {
-    const auto encoded = frame.encode();
-    return {encoded.begin(), encoded.end()};
-}
 
 }  // namespace
 
@@ -123,7 +116,7 @@ void GazeFirmware::queue_sample(std::deque<Packet>& wire) {
     measured_.pop_front();
     queued.frame.header = header(queued.at);
     ++status_.sent;
-    auto bytes = bytes_of(queued.frame);
+    auto bytes = to_vector(queued.frame.encode());
     const auto ordered = [](int& count) { return count > 0 && count-- > 0; };
     const bool dropped = ordered(orders_.drop) || happens(settings_.faults.dropout, kDropped);
     const bool spoilt = ordered(orders_.spoil) || happens(settings_.faults.crc_error, kSpoilt);
@@ -139,8 +132,8 @@ void GazeFirmware::queue_heartbeat(std::deque<Packet>& wire) {
     frame.header = header(next_heartbeat_);
     frame.now_ns = static_cast<std::uint64_t>(clock_.at_ns(next_heartbeat_));
     frame.samples_sent = status_.sent;
-    send(bytes_of(frame), next_heartbeat_, wire);
-    next_heartbeat_ += kHeartbeat;
+    send(to_vector(frame.encode()), next_heartbeat_, wire);
+    next_heartbeat_ += kHeartbeatPeriod;
 }
 
 void GazeFirmware::send(std::vector<std::byte> bytes, HostTime queued_at,

@@ -17,6 +17,7 @@ class GazeFirmware {
   public:
     static constexpr Nanoseconds kLatency{12'000'000};  ///< mid-exposure to queue (5.5)
     static constexpr Nanoseconds kUsbTransfer{1'000'000};
+    static constexpr Nanoseconds kHeartbeatPeriod{1'000'000'000};
 
     struct Settings {
         const motion::EyeMotion* eyes = nullptr;  ///< outlives the device

@@ -9,15 +9,8 @@ namespace {
 using gaze::DeviceState;
 namespace request = gaze::request;
 
-constexpr auto kHeartbeat = std::chrono::seconds(1);
 constexpr auto kTimeJumpAfter = std::chrono::seconds(5);
 constexpr std::uint64_t kSessionStream = 820;
-
-template <class Payload>
-std::vector<std::byte> bytes_of(const Payload& payload) {
-    const auto encoded = payload.encode();
-    return {encoded.begin(), encoded.end()};
-}
 
 Error stall(const std::string& why) {
     return {ErrorCode::unsupported, "the simulated gaze tracker stalls: " + why};
@@ -37,7 +30,7 @@ Status GazeFirmware::start(HostTime now) {
     measured_.clear();
     next_flags_ = gaze::frame_flag::discontinuity;
     started_ = now;
-    next_heartbeat_ = now + kHeartbeat;
+    next_heartbeat_ = now + kHeartbeatPeriod;
     if (settings_.faults.time_jump != 0.0) clock_jump_at_ = now + kTimeJumpAfter;
     return Done{};
 }
@@ -110,17 +103,19 @@ Result<std::vector<std::byte>> GazeFirmware::get(std::uint8_t id, std::uint16_t 
                                                  HostTime now) const {
     switch (id) {
         case request::get_info:
-            return bytes_of(
+            return to_vector(
                 gaze::Info{.rates = 0b111,
                            .capabilities = 0b11010,  // openness, dynamic mapping, simulator
                            .serial = "FOVERIGSIM000001",
                            .firmware = "simulated",
-                           .nominal_latency_us = 12000});
+                           .nominal_latency_us = 12000}
+                    .encode());
         case request::get_status:
-            return bytes_of(status_);
+            return to_vector(status_.encode());
         case request::get_time:
-            return bytes_of(gaze::DeviceTimeReply{
-                .device_ns = static_cast<std::uint64_t>(clock_.at_ns(now)), .cookie = value});
+            return to_vector(gaze::DeviceTimeReply{
+                .device_ns = static_cast<std::uint64_t>(clock_.at_ns(now)), .cookie = value}
+                                 .encode());
         default:
             return stall(fmt::format("IN request {:#04x}", id));
     }

@@ -15,7 +15,6 @@ class SaccadeProfile {
     explicit SaccadeProfile(double amplitude_deg);
 
     double duration_s() const { return duration_s_; }
-    double peak_s() const { return peak_share_ * duration_s_; }
     double progress(double since_start_s) const;    ///< 0 before, 1 after
     double rate_per_s(double since_start_s) const;  ///< derivative of `progress`
 

@@ -1,8 +1,10 @@
 #pragma once
-// Arrays of floats in SGZ1 bodies.
+// What SGZ1 frames and payloads are made of.
 #include "devices/bytes.h"
 
 namespace foverig::gaze::detail {
+
+constexpr std::uint32_t kMagic = 0x315A4753;  ///< "SGZ1"
 
 template <std::size_t n>
 std::array<float, n> read_floats(Bytes b, std::size_t at) {

@@ -24,6 +24,11 @@ std::uint16_t count(int n) {
     return static_cast<std::uint16_t>(65530 + n);
 }
 
+/// The panel is idle at vsync n.
+void see_idle(LatencyTester& tester, int n) {
+    EXPECT_TRUE(tester.read_back(count(n), vsync(n), grey_of_level(kIdleLevel)).empty());
+}
+
 TEST(LatencyTester, PaletteIsLibOvrs) {
     const int greys[] = {16, 48, 80, 112, 144, 176, 208, 240};
     for (int i = 0; i < 8; ++i) {
@@ -49,6 +54,7 @@ TEST(LatencyTester, ColoursAreNeverIdleAndRepeatAfterSeven) {
 
 TEST(LatencyTester, MeasuresEachFrameThroughADelayedReadback) {
     LatencyTester tester;
+    see_idle(tester, 0);
     std::uint8_t grey_of[40];
     std::vector<LatencyReading> all;
     for (int n = 0; n < 40; ++n) {
@@ -72,6 +78,7 @@ TEST(LatencyTester, MeasuresEachFrameThroughADelayedReadback) {
 
 TEST(LatencyTester, ARepeatedFrameCountsItsFirstScanOutOnly) {
     LatencyTester tester;
+    see_idle(tester, 0);
     const std::uint8_t a = tester.mark(mark(0));
     EXPECT_TRUE(tester.read_back(count(1), vsync(1), a).empty());
     EXPECT_EQ(tester.read_back(count(2), vsync(2), a).size(), 1u);
@@ -84,6 +91,7 @@ TEST(LatencyTester, ARepeatedFrameCountsItsFirstScanOutOnly) {
 
 TEST(LatencyTester, ALostReadCostsReadingsButIsNeverWrong) {
     LatencyTester tester;
+    see_idle(tester, 0);
     std::vector<LatencyReading> all;
     for (int n = 0; n < 20; ++n) {
         const std::uint8_t grey = tester.mark(mark(n));
@@ -91,8 +99,31 @@ TEST(LatencyTester, ALostReadCostsReadingsButIsNeverWrong) {
         for (const LatencyReading& r : tester.read_back(count(n + 1), vsync(n + 1), grey))
             all.push_back(r);
     }
-    EXPECT_EQ(all.size(), 19u);
+    EXPECT_EQ(all.size(), 18u);  // neither the lost one nor the one after it
     for (const LatencyReading& r : all) EXPECT_EQ(r.motion_to_scan_out, 13 * kMs);
+}
+
+// Frame 2 stays for two vsyncs, its first read is lost or unreadable: its second scan-out must not
+// pass for its first.
+TEST(LatencyTester, ASecondScanOutIsNotTakenForALostFirst) {
+    for (const bool lost : {true, false}) {
+        LatencyTester tester;
+        see_idle(tester, 0);
+        std::vector<std::uint64_t> frames;
+        const auto read = [&](int n, std::uint8_t grey) {
+            for (const LatencyReading& r : tester.read_back(count(n), vsync(n), grey)) {
+                EXPECT_EQ(r.motion_to_scan_out, 13 * kMs);
+                frames.push_back(r.frame_id);
+            }
+        };
+        read(1, tester.mark(mark(0)));
+        read(2, tester.mark(mark(1)));
+        const std::uint8_t stays = tester.mark(mark(2));
+        if (!lost) read(3, 228);  // between two levels
+        read(4, stays);
+        read(5, tester.mark(mark(4)));
+        EXPECT_EQ(frames, (std::vector<std::uint64_t>{0, 1, 4}));
+    }
 }
 
 TEST(LatencyTester, ALoneMatchIsNotBelieved) {

@@ -2,49 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-#include <numbers>
-
-#include "devices/fusion/rotation.h"
 #include "tests/devices/byte_text.h"
+#include "tests/devices/fusion/turning_head.h"
 
 namespace foverig {
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180;
-constexpr dvec3 kGravity_m_s2{0, 9.80665, 0};
-
-HostTime host(double s) {
-    return HostTime(from_seconds(s));
-}
-
-/// A head turning in place; truth by integration 16 times finer than the samples.
-struct Head {
-    std::function<dvec3(double)> rate_rad_s;  // in the head's frame
-    dquat world_from_head{1, 0, 0, 0};
-    double time_s = 0;
-
-    void go_to(double end_s) {
-        const int steps = std::max(1, static_cast<int>(std::lround((end_s - time_s) * 16000)));
-        const double h = (end_s - time_s) / steps;
-        for (int i = 0; i < steps; ++i) {
-            const double t = time_s + i * h;
-            world_from_head = glm::normalize(
-                world_from_head * exp_map(rotation_of_rates(rate_rad_s(t), rate_rad_s(t + h), h)));
-        }
-        time_s = end_s;
-    }
-    ImuSample sample() const {
-        ImuSample s;
-        s.host_time = s.arrival = host(time_s);
-        s.device_time = Dk2Time(from_seconds(1000 + time_s));
-        s.sequence = static_cast<std::uint64_t>(std::lround(time_s * 1000));
-        s.gyro_rad_s = rate_rad_s(time_s);
-        s.accel_m_s2 = glm::conjugate(world_from_head) * kGravity_m_s2;
-        return s;
-    }
-};
+using namespace test;
 
 HeadFusionConfig gyro_only() {
     HeadFusionConfig config;
@@ -54,18 +18,14 @@ HeadFusionConfig gyro_only() {
     return config;
 }
 
-double error_deg(const HeadFusion& fusion, const Head& head) {
-    return angle_between(fusion.at(host(head.time_s)).world_from_head, head.world_from_head) / kDeg;
-}
-
 TEST(HeadFusion, ConstantRotationIsExact) {
     HeadFusion fusion(gyro_only());
-    Head head{[](double) { return dvec3(0.7, 2, -0.4); }};
+    TurningHead head{[](double) { return dvec3(0.7, 2, -0.4); }};
     for (int i = 0; i <= 10000; ++i) {
         head.time_s = i * 1e-3;
         head.world_from_head = exp_map(head.rate_rad_s(0) * head.time_s);  // the analytic answer
         ImuSample s = head.sample();
-        s.accel_m_s2 = kGravity_m_s2;
+        s.accel_m_s2 = kUpright_m_s2;
         fusion.add(s);
     }
     EXPECT_LT(error_deg(fusion, head), 1e-9);
@@ -75,14 +35,14 @@ TEST(HeadFusion, ConstantRotationIsExact) {
 TEST(HeadFusion, FollowsAConingHead) {
     HeadFusion fusion(gyro_only());
     // 5 Hz, 173 deg/s on two axes in quadrature: the stress profile of DEVICES.md 6.1, coning.
-    Head head{[](double t) {
+    TurningHead head{[](double t) {
         const double phase = 2 * std::numbers::pi * 5 * t;
         return 173 * kDeg * dvec3(std::cos(phase), std::sin(phase), 0.2);
     }};
     for (int i = 0; i <= 20000; ++i) {
         head.go_to(i * 1e-3);
         ImuSample s = head.sample();
-        if (i == 0) s.accel_m_s2 = kGravity_m_s2;
+        if (i == 0) s.accel_m_s2 = kUpright_m_s2;
         fusion.add(s);
     }
     // Straight lines between 1 kHz samples lose (2 pi 5 Hz)^2 (1 ms)^2 / 6 of a cone that drifts
@@ -90,87 +50,13 @@ TEST(HeadFusion, FollowsAConingHead) {
     EXPECT_LT(error_deg(fusion, head), 0.03);
 }
 
-TEST(HeadFusion, StartsUprightByGravityWithTheYawAskedFor) {
-    HeadFusionConfig config;
-    config.initial_yaw_rad = 30 * kDeg;
-    HeadFusion fusion(config);
-    Head head{[](double) { return dvec3(0); }};
-    head.world_from_head = exp_map(dvec3(0, 30 * kDeg, 0)) * exp_map(dvec3(20 * kDeg, 0, 0));
-    fusion.add(head.sample());
-    EXPECT_LT(error_deg(fusion, head), 1e-9);
-}
-
-TEST(HeadFusion, UpsideDownAndWeightlessStartsAreFinite) {
-    for (const dvec3& accel : {dvec3(0, -9.8, 0), dvec3(0), dvec3(std::nan(""), 0, 0)}) {
-        HeadFusion fusion;
-        ImuSample s;
-        s.accel_m_s2 = accel;
-        fusion.add(s);
-        const dquat q = fusion.at(host(0)).world_from_head;
-        EXPECT_NEAR(glm::length(q), 1, 1e-12);
-    }
-}
-
-TEST(HeadFusion, TiltErrorDecaysWithTheGain) {
-    HeadFusion fusion;
-    Head head{[](double) { return dvec3(0); }};
-    // Ten seconds level, then the truth is 5 degrees off without a rate: what a wrong bias leaves.
-    for (int i = 0; i < 10000; ++i) {
-        head.time_s = i * 1e-3;
-        fusion.add(head.sample());
-    }
-    head.world_from_head = exp_map(dvec3(0, 0, 5 * kDeg));
-    for (int i = 10000; i < 18000; ++i) {
-        head.time_s = i * 1e-3;
-        fusion.add(head.sample());
-    }
-    // exp(-0.25 * 8) = 0.135; gravity's low-pass delays it by 0.1 s.
-    EXPECT_NEAR(error_deg(fusion, head), 5 * std::exp(-0.25 * 7.9), 0.03);
-}
-
-TEST(HeadFusion, TiltConvergesFastAtTheStartThroughNoise) {
-    HeadFusion fusion;
-    test::Random random(3);
-    Head head{[](double) { return dvec3(0); }};
-    head.world_from_head = exp_map(dvec3(10 * kDeg, 0, -7 * kDeg));
-    const auto noise = [&] { return 0.099 * 3.4641 * (random.uniform() - 0.5); };
-    for (int i = 0; i < 2000; ++i) {
-        head.time_s = i * 1e-3;
-        ImuSample s = head.sample();
-        s.accel_m_s2 += dvec3(noise(), noise(), noise());
-        fusion.add(s);
-    }
-    const dvec3 up = fusion.at(host(2)).world_from_head *
-                     (glm::conjugate(head.world_from_head) * dvec3(0, 1, 0));
-    EXPECT_LT(std::acos(up.y) / kDeg, 0.1);
-}
-
-TEST(HeadFusion, BiasAtRestStopsTheDrift) {
-    HeadFusion fusion;
-    Head head{[](double) { return dvec3(0); }};
-    const dvec3 bias_rad_s(0.004, 0.010, -0.006);
-    double yaw_at_20_deg = 0;
-    for (int i = 0; i <= 60000; ++i) {
-        head.time_s = i * 1e-3;
-        ImuSample s = head.sample();
-        s.gyro_rad_s = bias_rad_s;
-        fusion.add(s);
-        if (i == 20000) yaw_at_20_deg = error_deg(fusion, head);
-    }
-    ASSERT_TRUE(fusion.bias().known());
-    EXPECT_LT(glm::length(fusion.bias().offset_rad_s() - bias_rad_s), 1e-9);
-    // 0.01 rad/s for the first 6 s stays in yaw, nothing is added later, and tilt came back.
-    EXPECT_NEAR(error_deg(fusion, head), 6 * 0.010 / kDeg, 0.05);
-    EXPECT_NEAR(yaw_at_20_deg, error_deg(fusion, head), 0.1);
-}
-
 TEST(HeadFusion, AGapIsBridgedWithTheLastRate) {
     HeadFusion fusion(gyro_only());
-    Head head{[](double t) { return dvec3(0, 1 + 0.5 * t, 0); }};
+    TurningHead head{[](double t) { return dvec3(0, 1 + 0.5 * t, 0); }};
     for (int i = 0; i <= 2000; ++i) {
         head.go_to(i * 1e-3);
         ImuSample s = head.sample();
-        if (i == 0) s.accel_m_s2 = kGravity_m_s2;
+        if (i == 0) s.accel_m_s2 = kUpright_m_s2;
         if (i > 1000 && i < 1100) continue;
         s.gap = i == 1100;
         fusion.add(s);
@@ -180,26 +66,10 @@ TEST(HeadFusion, AGapIsBridgedWithTheLastRate) {
     EXPECT_FALSE(fusion.at(host(2)).stale);
 }
 
-TEST(HeadFusion, ALongGapIsStaleUntilTheTiltIsFoundAgain) {
-    HeadFusion fusion;
-    Head head{[](double) { return dvec3(0); }};
-    EXPECT_TRUE(fusion.at(host(0)).stale);
-    for (int i = 0; i < 4000; ++i) {
-        head.time_s = i * 1e-3 + (i >= 1000 ? 1 : 0);
-        fusion.add(head.sample());
-        const bool stale = fusion.at(host(head.time_s)).stale;
-        if (std::abs(i - 2000) > 5) {
-            ASSERT_EQ(stale, i >= 1000 && i < 2000) << i;
-        }
-    }
-    EXPECT_FALSE(fusion.at(host(head.time_s + 0.05)).stale);
-    EXPECT_TRUE(fusion.at(host(head.time_s + 0.2)).stale);
-}
-
 TEST(HeadFusion, IgnoresSamplesThatAreNotLater) {
     HeadFusion fusion(gyro_only());
     ImuSample s;
-    s.accel_m_s2 = kGravity_m_s2;
+    s.accel_m_s2 = kUpright_m_s2;
     s.gyro_rad_s = {0, 5, 0};
     s.device_time = Dk2Time(Nanoseconds{5'000'000});
     fusion.add(s);
@@ -211,7 +81,7 @@ TEST(HeadFusion, IgnoresSamplesThatAreNotLater) {
 
 TEST(HeadFusion, TheEyesMoveAboutTheNeck) {
     HeadFusion fusion;
-    Head head{[](double) { return dvec3(0); }};
+    TurningHead head{[](double) { return dvec3(0); }};
     fusion.add(head.sample());
     EXPECT_EQ(fusion.at(host(0)).position_m, dvec3(0));
     HeadFusion nodding;
@@ -241,7 +111,7 @@ double worst_prediction_deg(Predictor predictor, double ahead_s, double noise_ra
         s.gyro_rad_s = {
             0, 15.5 * kDeg * w * std::cos(w * t) + noise_rad_s * 3.4641 * (random.uniform() - 0.5),
             0};
-        s.accel_m_s2 = kGravity_m_s2;
+        s.accel_m_s2 = kUpright_m_s2;
         fusion.add(s);
         if (i < 100) continue;
         const dquat truth = exp_map(dvec3(0, yaw(t + ahead_s), 0));

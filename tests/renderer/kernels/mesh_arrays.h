@@ -9,8 +9,10 @@ namespace foverig {
 
 struct MeshArrays {
     MeshArrays(int columns_, int rows_)
-        : columns(columns_), rows(rows_), x_px(cells()), y_px(cells()), inverse_depth(cells(), 1.0F),
-          source_x_px(static_cast<std::size_t>(columns_)), source_y_px(static_cast<std::size_t>(rows_)) {}
+        : columns(columns_), rows(rows_), x_px(cells() + kPast), y_px(cells() + kPast), inverse_depth(cells() + kPast, 1.0F),
+          source_x_px(static_cast<std::size_t>(columns_) + kPast), source_y_px(static_cast<std::size_t>(rows_) + kPast) {}
+
+    static constexpr std::size_t kPast = 2 * kBlockCells;    ///< the last vector of a row reads past it
 
     std::size_t cells() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
     std::size_t at(int column, int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column); }
@@ -28,14 +30,14 @@ struct MeshArrays {
 struct RasterArrays {
     static constexpr std::size_t kFloats = static_cast<std::size_t>(kRasterTile) * kRasterStride + 64;
 
-    RasterTile tile() { return {inverse_depth.data(), source_x_w.data(), source_y_w.data(), footprint_px.data()}; }
+    RasterTile tile() { return {inverse_depth.data(), source_x_w.data(), source_y_w.data(), magnification.data()}; }
     float depth_at(int x, int y) const { return inverse_depth[index(x, y)]; }
     static std::size_t index(int x, int y) { return static_cast<std::size_t>(y * kRasterStride + x); }
 
     std::vector<float> inverse_depth = std::vector<float>(kFloats);
     std::vector<float> source_x_w = std::vector<float>(kFloats);
     std::vector<float> source_y_w = std::vector<float>(kFloats);
-    std::vector<float> footprint_px = std::vector<float>(kFloats);
+    std::vector<float> magnification = std::vector<float>(kFloats);
 };
 
 /// Every cell, in rising order.

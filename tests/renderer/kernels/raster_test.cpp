@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <vector>
 
 #include "renderer/kernels/sampling.h"
 #include "tests/renderer/kernels/mesh_arrays.h"
@@ -29,6 +32,9 @@ MeshArrays jittered_grid(int cells, float fraction, std::uint32_t seed) {
     }
     return mesh;
 }
+
+/// Sets the first values and leaves the room past them.
+void place(std::vector<float>& to, std::initializer_list<float> values) { std::copy(values.begin(), values.end(), to.begin()); }
 
 struct Point {
     double x, y;
@@ -65,8 +71,7 @@ TEST(Raster, DrawsACellExactlyWhereItIs) {
             mesh.x_px[i] = 90.0F * random(seed, 2 * i) - 13.0F;
             mesh.y_px[i] = 90.0F * random(seed, 2 * i + 1) - 13.0F;
         }
-        mesh.source_x_px = {0.0F, 1.0F};
-        mesh.source_y_px = {0.0F, 1.0F};
+        mesh.source_x_px[1] = mesh.source_y_px[1] = 1.0F;
         RasterArrays target;
         raster_all({mesh.mesh()}, target.tile());
         const Point a = vertex(mesh, 0, 0);
@@ -94,8 +99,8 @@ TEST(Raster, InterpolatesWithPerspective) {
             mesh.y_px[i] = quad[i][1] + 20.0F * random(seed, 3 * i + 1);
             mesh.inverse_depth[i] = 0.05F + random(seed, 3 * i + 2);
         }
-        mesh.source_x_px = {512.5F, 517.5F};
-        mesh.source_y_px = {1020.5F, 1024.5F};
+        place(mesh.source_x_px, {512.5F, 517.5F});
+        place(mesh.source_y_px, {1020.5F, 1024.5F});
         RasterArrays target;
         raster_all({mesh.mesh()}, target.tile());
         const Point a = vertex(mesh, 0, 0);
@@ -181,10 +186,10 @@ TEST(Raster, WhereATileBeginsDoesNotChangeWhatItShows) {
 
 TEST(Raster, ScalesMeshPixelsToTargetPixels) {
     MeshArrays mesh(2, 2);
-    mesh.x_px = {0.0F, 40.0F, 0.0F, 40.0F};
-    mesh.y_px = {0.0F, 0.0F, 80.0F, 80.0F};
-    mesh.source_x_px = {0.0F, 40.0F};
-    mesh.source_y_px = {0.0F, 80.0F};
+    place(mesh.x_px, {0.0F, 40.0F, 0.0F, 40.0F});
+    place(mesh.y_px, {0.0F, 0.0F, 80.0F, 80.0F});
+    place(mesh.source_x_px, {0.0F, 40.0F});
+    place(mesh.source_y_px, {0.0F, 80.0F});
     RasterArrays target;
     raster_all({mesh.mesh(), 0.25F, 0.5F}, target.tile());
     for (int y = 0; y < kRasterTile; ++y)
@@ -193,15 +198,15 @@ TEST(Raster, ScalesMeshPixelsToTargetPixels) {
     EXPECT_NEAR(target.source_y_w[RasterArrays::index(3, 7)], 15.0F, 1.0e-4F);
 }
 
-TEST(Raster, KeepsTheWidthOfANewPixelInTheOldImage) {
+TEST(Raster, KeepsTheAreaOfANewPixelInTheOldImage) {
     MeshArrays mesh(2, 2);
-    mesh.x_px = {0.0F, 32.0F, 0.0F, 32.0F};
-    mesh.y_px = {0.0F, 0.0F, 16.0F, 16.0F};
-    mesh.source_x_px = {100.0F, 132.0F};
-    mesh.source_y_px = {50.0F, 114.0F};      // 32 x 64 old pixels on 32 x 16 new ones: area 4, width 2
+    place(mesh.x_px, {0.0F, 32.0F, 0.0F, 32.0F});
+    place(mesh.y_px, {0.0F, 0.0F, 16.0F, 16.0F});
+    place(mesh.source_x_px, {100.0F, 132.0F});
+    place(mesh.source_y_px, {50.0F, 114.0F});      // 32 x 64 old pixels on 32 x 16 new ones
     RasterArrays target;
     raster_all({mesh.mesh()}, target.tile());
-    EXPECT_NEAR(target.footprint_px[RasterArrays::index(9, 9)], 2.0F, 1.0e-5F);
+    EXPECT_NEAR(target.magnification[RasterArrays::index(9, 9)], 4.0F, 1.0e-5F);
 }
 
 TEST(VisitBlocks, FindsEveryCellThatATileShows) {

@@ -1,8 +1,10 @@
-#include "rig/output/panel_picture.h"
+#include "rig/session/lens_pass.h"
 
 #include <gtest/gtest.h>
 
-#include "devices/display/dk2_optics.h"
+#include <algorithm>
+
+#include "tests/rig/session/fake_renderer.h"
 
 namespace foverig {
 namespace {
@@ -20,10 +22,18 @@ Image ramp(int width_px, int height_px) {
     return image;
 }
 
+Image panel_of(const Image& left, const Image& right) {
+    Scenario s;
+    s.display.eye_width_px = std::max(left.width_px, right.width_px);
+    s.display.eye_height_px = std::max(left.height_px, right.height_px);
+    const std::vector<Image> eyes{left, right};
+    return LensPass(s).picture(eyes);
+}
+
 // Straight ahead (tangent 0) lies at tan_left / (tan_left + tan_right) of the image: 1.058657 and
 // 1.092368 for the left eye (DEVICES.md 2.2); on the panel at the lens centre, x = -0.009860 in NDC.
-TEST(PanelPicture, PutsStraightAheadAtTheLensCentre) {
-    const Image panel = panel_picture(ramp(400, 500), ramp(400, 500));
+TEST(LensPass, PutsStraightAheadAtTheLensCentre) {
+    const Image panel = panel_of(ramp(400, 500), ramp(400, 500));
     ASSERT_EQ(panel.width_px, 1920);
     ASSERT_EQ(panel.height_px, 1080);
     const int left_x = static_cast<int>((1.0 - 0.009860) * 0.5 * 960.0);
@@ -33,9 +43,9 @@ TEST(PanelPicture, PutsStraightAheadAtTheLensCentre) {
     EXPECT_NEAR(panel.at(right_x, 540).x, 1.092368 / 2.151025, 2e-3);
 }
 
-TEST(PanelPicture, BendsOutwardsAndSplitsColours) {
+TEST(LensPass, BendsOutwardsAndSplitsColours) {
     const Image white{64, 64, std::vector<vec3>(64U * 64U, vec3(1.0F))};
-    const Image panel = panel_picture(white, white);
+    const Image panel = panel_of(white, white);
     // Red reaches furthest in (its scale is smallest), so a far corner may lack blue but not red.
     std::size_t fringe = 0;
     for (const vec3& pixel : panel.pixels) {
@@ -46,10 +56,29 @@ TEST(PanelPicture, BendsOutwardsAndSplitsColours) {
     EXPECT_EQ(panel.at(0, 0), vec3(0.0F));
 }
 
-TEST(PanelPicture, LeavesTheHalfOfAMissingEyeBlack) {
-    const Image panel = panel_picture(ramp(40, 50), Image{});
+TEST(LensPass, LeavesTheHalfOfAMissingEyeBlack) {
+    const Image panel = panel_of(ramp(40, 50), Image{});
     EXPECT_GT(panel.at(480, 540).x, 0.0F);
     EXPECT_EQ(panel.at(1440, 540), vec3(0.0F));
+}
+
+TEST(LensPass, TimesItsParts) {
+    Scenario s;
+    s.display.eye_width_px = 2;
+    s.display.eye_height_px = 2;
+    const auto passes = LensPass(s).run(FakeRenderer());
+    ASSERT_EQ(passes.size(), 2U);
+    EXPECT_EQ(passes[1].name, "lens_distortion");
+    EXPECT_GT(passes[1].ms, 0.0);
+}
+
+TEST(LensPass, DrawsHalfAPanelForOneEye) {
+    Scenario s;
+    s.display.eyes = 1;
+    s.display.eye_width_px = 40;
+    s.display.eye_height_px = 50;
+    const std::vector<Image> eyes{ramp(40, 50)};
+    EXPECT_EQ(LensPass(s).picture(eyes).width_px, 960);
 }
 
 }  // namespace
