@@ -1,5 +1,5 @@
 # foverig_build_info(TARGET): gives TARGET the definitions and the generated header that
-# rig/identity/build_info.cpp reads. The commit is looked up at every build, the rest at configure time.
+# rig/identity/build_info.cpp reads. The commit is looked up at every build, the rest when configuring.
 function(foverig_build_info target)
   set(folder ${PROJECT_BINARY_DIR}/generated)
   set(header ${folder}/foverig_git_commit.h)

@@ -1,5 +1,5 @@
-# Script (cmake -P): writes OUTPUT, a header with the checkout's commit, if it changed. SOURCE is the
-# source folder. Outside a checkout (a tarball) the commit is empty.
+# Script (cmake -P): writes OUTPUT, a header with the checkout's commit, if it changed. SOURCE is
+# the source folder. Outside a checkout (a tarball) the commit is empty.
 find_package(Git QUIET)
 set(commit "")
 if(GIT_FOUND AND EXISTS ${SOURCE}/.git)

@@ -15,13 +15,13 @@ struct RunRequest {
     Scenario scenario;
     std::optional<std::filesystem::path> out;
     std::vector<FailIf> checks;
-    bool json = false;    ///< last line of stdout: the summary
+    bool json = false;  ///< last line of stdout: the summary
 };
 ExitCode run_command(const RunRequest& request);
 
 struct PlanRequest {
     Scenario scenario;
-    bool measure = true;    ///< render a few frames, so that effects have a cost
+    bool measure = true;  ///< render a few frames, so that effects have a cost
     bool json = false;
 };
 ExitCode plan_command(const PlanRequest& request);

@@ -14,7 +14,9 @@ namespace {
 
 constexpr double kGoodSleep_ms = 1.0;
 
-void print_row(const char* name, const std::string& text) { fmt::print("{:<14} {}\n", name, text); }
+void print_row(const char* name, const std::string& text) {
+    fmt::print("{:<14} {}\n", name, text);
+}
 
 /// Smallest step between two readings of the wall clock.
 Nanoseconds clock_step() {
@@ -46,7 +48,8 @@ double worst_sleep_ms() {
 ExitCode doctor_command() {
     const BuildInfo build = build_info();
     const HostInfo host = host_info();
-    print_row("foverig", fmt::format("{} ({})", build.version, build.git.value_or("no commit known")));
+    print_row("foverig",
+              fmt::format("{} ({})", build.version, build.git.value_or("no commit known")));
     print_row("built", fmt::format("{}, {}, {}", build.build_type, build.compiler, build.flags));
     print_row("system", host.os.value_or("unknown"));
     print_row("cpu", fmt::format("{}, {} cores for us", host.cpu.value_or("unknown"), host.cores));

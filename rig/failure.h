@@ -6,9 +6,9 @@ namespace foverig {
 
 enum class ExitCode {
     good = 0,
-    check_failed = 1,    ///< a check that the user asked for
-    usage = 2,           ///< command line or scenario
-    input = 3,           ///< input data: scenes, run folders
+    check_failed = 1,  ///< a check that the user asked for
+    usage = 2,         ///< command line or scenario
+    input = 3,         ///< input data: scenes, run folders
     device = 4,
     internal = 5,
 };

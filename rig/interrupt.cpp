@@ -26,6 +26,8 @@ Interrupt::~Interrupt() {
     std::signal(SIGTERM, SIG_DFL);
 }
 
-bool Interrupt::requested() const { return g_requested != 0; }
+bool Interrupt::requested() const {
+    return g_requested != 0;
+}
 
 }  // namespace foverig

@@ -17,8 +17,9 @@ void print_row(std::string_view name, std::string_view text) {
 ExitCode scenes_command() {
     fmt::print("Built-in scenes (foverig run --scene NAME):\n");
     for (const BuiltinInfo& scene : builtin_scenes()) print_row(scene.name, scene.summary);
-    fmt::print("Any OBJ, glTF, GLB or PLY file is a scene too (foverig run --scene FILE; "
-               "--set scene_scale=0.001 for millimetres).\n");
+    fmt::print(
+        "Any OBJ, glTF, GLB or PLY file is a scene too (foverig run --scene FILE; "
+        "--set scene_scale=0.001 for millimetres).\n");
     return ExitCode::good;
 }
 

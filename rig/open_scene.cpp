@@ -10,23 +10,53 @@
 #include "rig/text/nearest.h"
 
 namespace foverig {
+namespace {
 
-std::shared_ptr<const Scene> open_scene(const Scenario& scenario) {
+void apply_lights(const LightSettings& settings, Scene& scene) {
+    if (!settings.keep) {
+        scene.point_lights.clear();
+        scene.area_lights.clear();
+    }
+    const auto vector_at = [](const std::vector<double>& numbers, std::size_t i) {
+        return dvec3(numbers[i], numbers[i + 1], numbers[i + 2]);
+    };
+    for (std::size_t i = 0; i < settings.points_m.size(); i += 3) {
+        scene.point_lights.push_back({vec3(vector_at(settings.points_m, i) - scene.origin_m),
+                                      vec3(static_cast<float>(settings.point_intensity))});
+    }
+    for (std::size_t i = 0; i < settings.areas_m.size(); i += 9) {
+        scene.area_lights.push_back({vec3(vector_at(settings.areas_m, i) - scene.origin_m),
+                                     vec3(vector_at(settings.areas_m, i + 3)),
+                                     vec3(vector_at(settings.areas_m, i + 6)),
+                                     vec3(static_cast<float>(settings.area_radiance))});
+    }
+}
+
+Scene load(const Scenario& scenario) {
     std::vector<std::string> names;
     for (const BuiltinInfo& scene : builtin_scenes()) names.push_back(scene.name);
     if (std::find(names.begin(), names.end(), scenario.scene) != names.end()) {
-        return std::make_shared<Scene>(make_builtin_scene(scenario.scene, scenario.scene_detail));
+        return make_builtin_scene(scenario.scene, scenario.scene_detail);
     }
     const std::filesystem::path file = scenario.scene;
     std::error_code error;
     if (!file.has_extension() && !std::filesystem::exists(file, error)) {
         throw UsageError(fmt::format(
             "scene {}: neither a built-in scene nor a file; the nearest built-in one is {} "
-            "(foverig scenes lists them)", scenario.scene, nearest(scenario.scene, names)));
+            "(foverig scenes lists them)",
+            scenario.scene, nearest(scenario.scene, names)));
     }
     ImportSettings settings;
     settings.metres_per_unit = scenario.scene_scale;
-    return std::make_shared<Scene>(import_scene(file, settings));
+    return import_scene(file, settings);
+}
+
+}  // namespace
+
+std::shared_ptr<const Scene> open_scene(const Scenario& scenario) {
+    Scene scene = load(scenario);
+    apply_lights(scenario.lights, scene);
+    return std::make_shared<const Scene>(std::move(scene));
 }
 
 std::unique_ptr<Renderer> open_renderer(std::shared_ptr<const Scene> scene,

@@ -7,8 +7,8 @@
 
 namespace foverig {
 
-/// The scenario's scene. Throws UsageError for a name that is neither built in nor a file, with the
-/// nearest built-in one; SceneError for a file that cannot be used.
+/// The scenario's scene with the scenario's lights. Throws UsageError for a name that is neither
+/// built in nor a file, with the nearest built-in one; SceneError for a file that cannot be used.
 std::shared_ptr<const Scene> open_scene(const Scenario& scenario);
 
 /// make_renderer, with what it refuses as UsageError.

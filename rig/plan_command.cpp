@@ -11,7 +11,7 @@
 namespace foverig {
 namespace {
 
-constexpr std::int64_t kMeasuredFrames = 5;    // the first finds no history, so one is not enough
+constexpr std::int64_t kMeasuredFrames = 5;  // the first finds no history, so one is not enough
 
 }  // namespace
 
@@ -23,7 +23,8 @@ ExitCode plan_command(const PlanRequest& request) {
     fmt::print(stderr, "loading {}\n", scenario.scene);
     const auto scene = open_scene(scenario);
     const auto renderer = open_renderer(scene, scenario.render);
-    if (request.measure) Session(scenario, *scene, *renderer, open_lens(scenario).get()).run(SessionHooks{});
+    if (request.measure)
+        Session(scenario, *scene, *renderer, open_lens(scenario).get()).run(SessionHooks{});
     const auto plan = plan_json(renderer->plan().effects());
     fmt::print("{}", request.json ? plan.dump() + "\n" : plan_text(plan));
     return ExitCode::good;

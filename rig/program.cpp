@@ -40,23 +40,26 @@ void add_run(CLI::App& app, RunOptions& options) {
         ->allow_extra_args(false);
     run.add_flag("--json", options.json, "the summary as one JSON object on the last line");
     run.add_flag("--help-scenario", options.help_scenario, "all scenario keys with their defaults");
-    run.footer("Examples:\n"
-               "  foverig run                                the built-in scenario\n"
-               "  foverig run my.toml --frames 300 --out my-run\n"
-               "  foverig run --scene sponza.glb --set foveation.configuration=small\n"
-               "  foverig run --clock lockstep --cost fixed:10 --seed 7      repeats bit for bit\n"
-               "  foverig run my.toml --fail-if 'vsync.missed_ratio > 0.01'");
+    run.footer(
+        "Examples:\n"
+        "  foverig run                                the built-in scenario\n"
+        "  foverig run my.toml --frames 300 --out my-run\n"
+        "  foverig run --scene sponza.glb --set foveation.configuration=small\n"
+        "  foverig run --clock lockstep --cost fixed:10 --seed 7      repeats bit for bit\n"
+        "  foverig run my.toml --fail-if 'vsync.missed_ratio > 0.01'");
 }
 
 void add_plan(CLI::App& app, PlanOptions& options) {
     CLI::App& plan =
         *app.add_subcommand("plan", "which effects and passes run, why, and what they cost");
     options.scenario.add_to(plan);
-    plan.add_flag("--no-run", options.no_run, "only decide: render nothing, so costs are not known");
+    plan.add_flag("--no-run", options.no_run,
+                  "only decide: render nothing, so costs are not known");
     plan.add_flag("--json", options.json, "as JSON");
-    plan.footer("Examples:\n"
-                "  foverig plan --scene cornell\n"
-                "  foverig plan my.toml --set lighting.ao_samples=16");
+    plan.footer(
+        "Examples:\n"
+        "  foverig plan --scene cornell\n"
+        "  foverig plan my.toml --set lighting.ao_samples=16");
 }
 
 void add_report(CLI::App& app, std::vector<std::string>& runs) {
@@ -78,22 +81,26 @@ ExitCode run(const RunOptions& options) {
         return ExitCode::good;
     }
     return run_command({.scenario = options.scenario.scenario(),
-                        .out = options.out.empty() ? std::nullopt
-                                                   : std::optional<std::filesystem::path>(options.out),
+                        .out = options.out.empty()
+                                   ? std::nullopt
+                                   : std::optional<std::filesystem::path>(options.out),
                         .checks = parsed(options.fail_if),
                         .json = options.json});
 }
 
 ExitCode dispatch(int argc, const char* const* argv) {
-    CLI::App app("Test and benchmark rig for foveated ray tracing on head-mounted displays. With no "
-                 "argument: the built-in scenario on simulated devices.", "foverig");
+    CLI::App app(
+        "Test and benchmark rig for foveated ray tracing on head-mounted displays. With no "
+        "argument: the built-in scenario on simulated devices.",
+        "foverig");
     const BuildInfo build = build_info();
-    app.set_version_flag("--version", fmt::format("foverig {} ({}), {}", build.version,
-                                                  build.git.value_or("no commit known"),
-                                                  build.compiler));
+    app.set_version_flag("--version",
+                         fmt::format("foverig {} ({}), {}", build.version,
+                                     build.git.value_or("no commit known"), build.compiler));
     app.require_subcommand(0, 1);
-    app.footer("Exit codes: 0 good, 1 a check failed, 2 usage or scenario, 3 input data, 4 device, "
-               "5 internal.");
+    app.footer(
+        "Exit codes: 0 good, 1 a check failed, 2 usage or scenario, 3 input data, 4 device, "
+        "5 internal.");
     RunOptions run_options;
     PlanOptions plan_options;
     std::vector<std::string> reports;
@@ -106,7 +113,7 @@ ExitCode dispatch(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        const bool asked_for = error.get_exit_code() == 0;    // --help, --version
+        const bool asked_for = error.get_exit_code() == 0;  // --help, --version
         app.exit(error);
         return asked_for ? ExitCode::good : ExitCode::usage;
     }

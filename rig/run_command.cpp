@@ -68,7 +68,8 @@ ExitCode judged(const std::vector<FailIf>& checks, const nlohmann::json& summary
     }
     const auto nan = summary["numerics"]["nan"].get<std::uint64_t>();
     if (nan > 0) {
-        fmt::print(stderr, "not valid: kernels met NaN {} times; please report this scenario\n", nan);
+        fmt::print(stderr, "not valid: kernels met NaN {} times; please report this scenario\n",
+                   nan);
         code = ExitCode::internal;
     }
     return code;
@@ -86,7 +87,7 @@ ExitCode run_command(const RunRequest& request) {
     KeptImages images(scenario);
     const RunRecord run = run_session(scenario, *scene, *renderer, lens.get(), images);
     const std::uint64_t rss_bytes = peak_rss_bytes();
-    renderer.reset();    // the comparison needs the memory
+    renderer.reset();  // the comparison needs the memory
     compare_with_full(scenario, scene, images);
 
     nlohmann::json summary =

@@ -69,9 +69,9 @@ Scenario ScenarioOptions::scenario() const {
     for (const std::string& setting : settings_) apply_setting(scenario, setting);
     complete_scenario(scenario);
     const auto scenes = builtin_scenes();
-    const bool is_builtin = std::any_of(scenes.begin(), scenes.end(), [&](const BuiltinInfo& scene) {
-        return scene.name == scenario.scene;
-    });
+    const bool is_builtin =
+        std::any_of(scenes.begin(), scenes.end(),
+                    [&](const BuiltinInfo& scene) { return scene.name == scenario.scene; });
     if (!is_builtin) make_absolute(scenario.scene);
     make_absolute(scenario.motion.head);
     make_absolute(scenario.motion.gaze);

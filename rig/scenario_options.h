@@ -19,7 +19,7 @@ class ScenarioOptions {
 
   private:
     std::string file_;
-    std::map<std::string, std::string> named_;    ///< key of the scenario -> text
+    std::map<std::string, std::string> named_;  ///< key of the scenario -> text
     std::vector<std::string> settings_;
 };
 

@@ -37,9 +37,9 @@ std::string summary_text(const json& s) {
     text += fmt::format("motion to photon  {}\n", spread(latency["motion_to_photon"], " ms"));
     text += fmt::format("gaze to photon    {}\n", spread(latency["gaze_to_photon"], " ms"));
     const json& ratio = s["sampled_pixel_ratio"];
-    text += fmt::format("traced pixels     {} of all\n",
-                        ratio.is_number() ? fmt::format("{:.1f} %", 100.0 * ratio.get<double>())
-                                          : "-");
+    text +=
+        fmt::format("traced pixels     {} of all\n",
+                    ratio.is_number() ? fmt::format("{:.1f} %", 100.0 * ratio.get<double>()) : "-");
     for (const json& image : s.value("images", json::array())) {
         if (!image.contains("mean_absolute_error")) continue;
         text += fmt::format("error to full     {:.2f} % of full scale (frame {}, {} eye)\n",
@@ -60,10 +60,10 @@ std::string plan_text(const json& plan) {
         for (const json& pass : effect["passes"]) {
             passes += (passes.empty() ? "" : ", ") + pass.get<std::string>();
         }
-        text += fmt::format("{:<23} passes: {}; {:.1f} MB an eye; {} a frame\n", "",
-                            passes.empty() ? "none of its own" : passes,
-                            effect["bytes"].get<double>() * 1e-6,
-                            number(effect["measured_ms"], " ms"));
+        text +=
+            fmt::format("{:<23} passes: {}; {:.1f} MB an eye; {} a frame\n", "",
+                        passes.empty() ? "none of its own" : passes,
+                        effect["bytes"].get<double>() * 1e-6, number(effect["measured_ms"], " ms"));
     }
     return text;
 }

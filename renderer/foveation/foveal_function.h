@@ -10,7 +10,10 @@ namespace foverig {
 /// acos loses half its digits.
 inline double angle_between_rad(const dvec3& a, const dvec3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
-/// atan2(y, x) for y >= 0 by a polynomial: error below 2e-5 rad (0.001 deg), no branch, so that a row of
+/// Bound of fast_angle_rad's error, polynomial and rounding: 0.003 of a DK2 pixel.
+inline constexpr float kFastAngleError_rad = 5.0e-6F;
+
+/// atan2(y, x) for y >= 0 by a polynomial: error below kFastAngleError_rad, no branch, so that a row of
 /// pixels goes through it in vectors. Good enough to choose a sampling probability.
 RIG_INLINE float fast_angle_rad(float y, float x) {
     const float ax = fabsf(x);

@@ -64,7 +64,8 @@ struct SelectPixels {
                 const float cz = g.x * dy - g.y * dx;
                 const float eccentricity = fast_angle_rad(sqrtf(cx * cx + cy * cy + cz * cz), g.x * dx + g.y * dy + g.z * dz);
                 const float ramp = 1.0F + f.slope_per_rad * (eccentricity - f.r0_rad);
-                const bool inside = eccentricity <= f.r0_rad;
+                // Rather a pixel too many in the fovea than one too few: its equality with `full` is promised.
+                const bool inside = eccentricity <= f.r0_rad + kFastAngleError_rad;
                 const float p = inside ? 1.0F : (eccentricity >= f.r1_rad ? f.p_min : ramp);
                 row[x] = static_cast<std::uint8_t>((xi < p ? kChosenSample : 0) | (inside ? kFovealSample : 0));
             } else {

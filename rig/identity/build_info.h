@@ -7,11 +7,11 @@ namespace foverig {
 /// What this program was built from; every report carries it.
 struct BuildInfo {
     std::string version;
-    std::optional<std::string> git;    ///< commit, with -dirty; absent outside a checkout
+    std::optional<std::string> git;  ///< commit, with -dirty; absent outside a checkout
     std::string compiler;
     std::string flags;
-    std::string build_type;            ///< Release, Debug, ...
-    std::string fp_mode;               ///< fast: contraction allowed (DESIGN, floating-point modes)
+    std::string build_type;  ///< Release, Debug, ...
+    std::string fp_mode;     ///< fast: contraction allowed (DESIGN, floating-point modes)
 };
 
 BuildInfo build_info();

@@ -8,7 +8,7 @@ namespace foverig {
 /// The machine a run is made on. What cannot be found out is absent.
 struct HostInfo {
     std::optional<std::string> cpu;
-    unsigned cores = 0;                  ///< that this process may use
+    unsigned cores = 0;  ///< that this process may use
     std::optional<std::string> os;
 };
 

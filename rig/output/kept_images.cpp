@@ -13,7 +13,9 @@ namespace {
 constexpr float kErrorGain = 8.0F;
 constexpr std::array<const char*, 2> kEyeNames{"left", "right"};
 
-float as_seen(float linear) { return srgb_from_linear(std::clamp(linear, 0.0F, 1.0F)); }
+float as_seen(float linear) {
+    return srgb_from_linear(std::clamp(linear, 0.0F, 1.0F));
+}
 
 }  // namespace
 
@@ -74,8 +76,8 @@ nlohmann::json KeptImages::write(const std::filesystem::path& folder, const Lens
             const std::string name = fmt::format("images/frame_{:06}{}{}_{}.png", frame.input.frame,
                                                  *eye == '\0' ? "" : "_", eye, kind);
             write_png(folder / name, image);
-            list.push_back({{"frame", frame.input.frame}, {"eye", eye}, {"kind", kind},
-                            {"file", name}});
+            list.push_back(
+                {{"frame", frame.input.frame}, {"eye", eye}, {"kind", kind}, {"file", name}});
         };
         for (std::size_t eye = 0; eye < frame.eyes.size(); ++eye) {
             const EyeImages& images = frame.eyes[eye];

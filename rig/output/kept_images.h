@@ -1,6 +1,6 @@
 #pragma once
-// Images of chosen frames: copied while the run goes on, judged and written once it is over, so that
-// neither is on any frame's time.
+// Images of chosen frames: copied while the run goes on, judged and written once it is over, so
+// that neither is on any frame's time.
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -25,8 +25,8 @@ class KeptImages {
     /// Compares every kept frame with `full` rendered from the same input, if any was kept.
     void compare_with(Renderer& full);
 
-    /// Writes images/*.png below `folder`, the panel's picture too where there is a lens pass; returns
-    /// the summary's list [{frame, eye, kind, file, mean_absolute_error}].
+    /// Writes images/*.png below `folder`, the panel's picture too where there is a lens pass;
+    /// returns the summary's list [{frame, eye, kind, file, mean_absolute_error}].
     nlohmann::json write(const std::filesystem::path& folder, const LensPass* lens) const;
 
     bool empty() const { return frames_.empty(); }
@@ -36,8 +36,8 @@ class KeptImages {
         Image final;
         Mask sampling;
         Mask resampling;
-        Image error;                          ///< difference to full, kErrorGain times; or empty
-        double mean_absolute_error = -1.0;    ///< < 0: not compared
+        Image error;                        ///< difference to full, kErrorGain times; or empty
+        double mean_absolute_error = -1.0;  ///< < 0: not compared
     };
     struct Frame {
         FrameInput input;

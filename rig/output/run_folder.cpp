@@ -46,13 +46,15 @@ RunFolder::RunFolder(const std::optional<fs::path>& out)
     std::error_code error;
     fs::create_directories(draft_, error);
     if (error) {
-        throw UsageError(fmt::format("--out {}: cannot be written: {}; expected a folder that may "
-                                     "be made", place_.string(), error.message()));
+        throw UsageError(
+            fmt::format("--out {}: cannot be written: {}; expected a folder that may "
+                        "be made",
+                        place_.string(), error.message()));
     }
 }
 
 RunFolder::~RunFolder() {
-    std::error_code ignored;    // a destructor has nobody to tell
+    std::error_code ignored;  // a destructor has nobody to tell
     fs::remove_all(draft_, ignored);
 }
 

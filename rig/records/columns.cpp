@@ -5,13 +5,21 @@
 namespace foverig {
 namespace {
 
-std::int64_t ns(HostTime t) { return t.time_since_epoch().count(); }
+std::int64_t ns(HostTime t) {
+    return t.time_since_epoch().count();
+}
 
-Cell ns(const std::optional<HostTime>& t) { return t ? Cell(ns(*t)) : Cell(); }
+Cell ns(const std::optional<HostTime>& t) {
+    return t ? Cell(ns(*t)) : Cell();
+}
 
-Cell cell(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
+Cell cell(const std::optional<double>& value) {
+    return value ? Cell(*value) : Cell();
+}
 
-Cell count(std::uint64_t n) { return static_cast<std::int64_t>(n); }
+Cell count(std::uint64_t n) {
+    return static_cast<std::int64_t>(n);
+}
 
 std::optional<double> ms_between(const std::optional<HostTime>& from,
                                  const std::optional<HostTime>& to) {
@@ -39,8 +47,10 @@ std::vector<Column> instants() {
          [](F f) { return ns(arrived(f.pose)); }},
         {"gaze_ns", "ns", "newest valid gaze sample (mid-exposure), on the host clock",
          [](F f) { return ns(taken(f.gaze)); }},
-        {"gaze_arrival_ns", "ns", "arrival of that gaze sample", [](F f) { return ns(arrived(f.gaze)); }},
-        {"submit_ns", "ns", "images of all eyes are rendered", [](F f) { return Cell(ns(f.submit)); }},
+        {"gaze_arrival_ns", "ns", "arrival of that gaze sample",
+         [](F f) { return ns(arrived(f.gaze)); }},
+        {"submit_ns", "ns", "images of all eyes are rendered",
+         [](F f) { return Cell(ns(f.submit)); }},
         {"present_ns", "ns", "distorted and handed to the display",
          [](F f) { return Cell(ns(f.present)); }},
         {"aimed_vsync_ns", "ns", "the first VSync after begin",
@@ -62,12 +72,17 @@ std::vector<Column> times_and_counts() {
     return {
         {"frame_time_ms", "ms", "begin to present: work, without waiting for the display",
          [](F f) { return Cell(frame_time_ms(f)); }},
-        {"motion_to_photon_ms", "ms", "sample to photon", [](F f) { return cell(motion_to_photon_ms(f)); }},
-        {"gaze_to_photon_ms", "ms", "gaze to photon", [](F f) { return cell(gaze_to_photon_ms(f)); }},
-        {"imu_transport_ms", "ms", "sample to its arrival, beyond the smallest such delay, which no clock map can see",
+        {"motion_to_photon_ms", "ms", "sample to photon",
+         [](F f) { return cell(motion_to_photon_ms(f)); }},
+        {"gaze_to_photon_ms", "ms", "gaze to photon",
+         [](F f) { return cell(gaze_to_photon_ms(f)); }},
+        {"imu_transport_ms", "ms",
+         "sample to its arrival, beyond the smallest such delay, which no clock map can see",
          [](F f) { return cell(imu_transport_ms(f)); }},
-        {"gaze_transport_ms", "ms", "gaze to its arrival", [](F f) { return cell(gaze_transport_ms(f)); }},
-        {"motion_to_photon_readback_ms", "ms", "sample to start of scan-out, by the panel's read-back",
+        {"gaze_transport_ms", "ms", "gaze to its arrival",
+         [](F f) { return cell(gaze_transport_ms(f)); }},
+        {"motion_to_photon_readback_ms", "ms",
+         "sample to start of scan-out, by the panel's read-back",
          [](F f) { return cell(readback_ms(f)); }},
         {"prediction_error_deg", "deg", "predicted head pose against the true one at the photon",
          [](F f) { return cell(f.prediction_error_deg); }},
@@ -75,8 +90,10 @@ std::vector<Column> times_and_counts() {
          [](F f) { return cell(f.gaze_error_deg); }},
         {"missed_vsyncs", "", "VSyncs just before this frame's that repeated an older one",
          [](F f) { return count(f.missed_vsyncs); }},
-        {"late", "", "1: missed the VSync that it was begun for", [](F f) { return count(f.late()); }},
-        {"dropped", "", "1: replaced before any VSync showed it", [](F f) { return count(f.dropped()); }},
+        {"late", "", "1: missed the VSync that it was begun for",
+         [](F f) { return count(f.late()); }},
+        {"dropped", "", "1: replaced before any VSync showed it",
+         [](F f) { return count(f.dropped()); }},
         {"rays_primary", "", "primary rays", [](F f) { return count(f.rays.primary); }},
         {"rays_shadow", "", "shadow rays", [](F f) { return count(f.rays.shadow); }},
         {"rays_ao", "", "ambient occlusion rays", [](F f) { return count(f.rays.ao); }},
@@ -88,7 +105,8 @@ std::vector<Column> times_and_counts() {
         {"all_pixels", "px", "pixels of all eyes", [](F f) { return count(f.all_pixels); }},
         {"nan", "", "NaNs that kernels met", [](F f) { return count(f.numerics.nan); }},
         {"inf", "", "infinities that kernels met", [](F f) { return count(f.numerics.inf); }},
-        {"clamped", "", "values that kernels clamped", [](F f) { return count(f.numerics.clamped); }},
+        {"clamped", "", "values that kernels clamped",
+         [](F f) { return count(f.numerics.clamped); }},
         {"image_kept", "", "1: images of this frame are in images/",
          [](F f) { return count(f.image_kept); }},
     };
@@ -97,25 +115,31 @@ std::vector<Column> times_and_counts() {
 std::vector<Column> poses() {
     using F = const FrameRecord&;
     return {
-        {"head_qw", "", "predicted head pose, tracking frame", [](F f) { return Cell(f.world_from_head.w); }},
+        {"head_qw", "", "predicted head pose, tracking frame",
+         [](F f) { return Cell(f.world_from_head.w); }},
         {"head_qx", "", "", [](F f) { return Cell(f.world_from_head.x); }},
         {"head_qy", "", "", [](F f) { return Cell(f.world_from_head.y); }},
         {"head_qz", "", "", [](F f) { return Cell(f.world_from_head.z); }},
-        {"head_x_m", "m", "point between the eyes, in the scene", [](F f) { return Cell(f.head_position_m.x); }},
+        {"head_x_m", "m", "point between the eyes, in the scene",
+         [](F f) { return Cell(f.head_position_m.x); }},
         {"head_y_m", "m", "", [](F f) { return Cell(f.head_position_m.y); }},
         {"head_z_m", "m", "", [](F f) { return Cell(f.head_position_m.z); }},
         {"gaze_left_x", "", "unit gaze of the left eye, eye frame (x right, y up, -z ahead)",
          [](F f) { return Cell(static_cast<double>(f.gaze_direction[0].x)); }},
-        {"gaze_left_y", "", "", [](F f) { return Cell(static_cast<double>(f.gaze_direction[0].y)); }},
+        {"gaze_left_y", "", "",
+         [](F f) { return Cell(static_cast<double>(f.gaze_direction[0].y)); }},
         {"gaze_right_x", "", "the same of the right eye",
          [](F f) { return Cell(static_cast<double>(f.gaze_direction[1].x)); }},
-        {"gaze_right_y", "", "", [](F f) { return Cell(static_cast<double>(f.gaze_direction[1].y)); }},
+        {"gaze_right_y", "", "",
+         [](F f) { return Cell(static_cast<double>(f.gaze_direction[1].y)); }},
     };
 }
 
 }  // namespace
 
-double frame_time_ms(const FrameRecord& f) { return to_ms(f.present - f.begin); }
+double frame_time_ms(const FrameRecord& f) {
+    return to_ms(f.present - f.begin);
+}
 
 std::optional<double> motion_to_photon_ms(const FrameRecord& f) {
     return ms_between(taken(f.pose), f.photon);

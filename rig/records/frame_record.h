@@ -21,24 +21,24 @@ struct SampleInstants {
 struct FrameRecord {
     std::uint32_t frame = 0;
 
-    HostTime wake_up{};                         ///< pacing let the frame start
-    HostTime begin{};                           ///< devices are read from here
-    std::optional<SampleInstants> pose;         ///< newest inertial sample behind the head pose
-    std::optional<SampleInstants> gaze;         ///< newest valid gaze sample
-    HostTime submit{};                          ///< images of all eyes are done
-    HostTime present{};                         ///< handed to the display, distorted
-    std::optional<HostTime> vsync;              ///< scan-out begins; absent: dropped
-    std::array<std::optional<HostTime>, 2> photon_eye;    ///< mid-persistence at each eye's centre
-    std::optional<HostTime> photon;             ///< mean of the eyes' photons
-    HostTime predicted_photon{};                ///< what the pose was predicted to
+    HostTime wake_up{};                  ///< pacing let the frame start
+    HostTime begin{};                    ///< devices are read from here
+    std::optional<SampleInstants> pose;  ///< newest inertial sample behind the head pose
+    std::optional<SampleInstants> gaze;  ///< newest valid gaze sample
+    HostTime submit{};                   ///< images of all eyes are done
+    HostTime present{};                  ///< handed to the display, distorted
+    std::optional<HostTime> vsync;       ///< scan-out begins; absent: dropped
+    std::array<std::optional<HostTime>, 2> photon_eye;  ///< mid-persistence at each eye's centre
+    std::optional<HostTime> photon;                     ///< mean of the eyes' photons
+    HostTime predicted_photon{};                        ///< what the pose was predicted to
     std::optional<HostTime> readback_scan_out;  ///< as the panel's pixel read-back tells (1.7)
 
-    HostTime aimed_vsync{};                     ///< the first VSync after its begin
-    std::optional<std::uint64_t> shown_vsync;   ///< number of the VSync that showed it first
-    std::uint32_t missed_vsyncs = 0;            ///< repeats of the frame before, just before this one
+    HostTime aimed_vsync{};                    ///< the first VSync after its begin
+    std::optional<std::uint64_t> shown_vsync;  ///< number of the VSync that showed it first
+    std::uint32_t missed_vsyncs = 0;  ///< repeats of the frame before, just before this one
 
-    double render_ms = 0.0;                     ///< wall time in the renderer, whatever the clock
-    std::vector<PassTime> passes;               ///< shares of it
+    double render_ms = 0.0;        ///< wall time in the renderer, whatever the clock
+    std::vector<PassTime> passes;  ///< shares of it
     RayCounts rays;
     std::uint64_t sampled_pixels = 0;
     std::uint64_t all_pixels = 0;
@@ -47,9 +47,9 @@ struct FrameRecord {
     dquat world_from_head{1.0, 0.0, 0.0, 0.0};  ///< predicted, tracking frame
     dvec3 head_position_m{0.0};                 ///< in the scene, between the eyes
     std::array<vec3, 2> gaze_direction{vec3(0.0F, 0.0F, -1.0F), vec3(0.0F, 0.0F, -1.0F)};
-    std::optional<double> prediction_error_deg;    ///< of the head's pose at the photon; needs truth
-    std::optional<double> gaze_error_deg;          ///< of the gaze used, at the photon; needs truth
-    bool image_kept = false;                    ///< work for images followed this frame
+    std::optional<double> prediction_error_deg;  ///< of the head's pose at the photon; needs truth
+    std::optional<double> gaze_error_deg;        ///< of the gaze used, at the photon; needs truth
+    bool image_kept = false;                     ///< work for images followed this frame
 
     bool dropped() const { return !shown_vsync.has_value(); }
     bool late() const { return !vsync || *vsync > aimed_vsync; }

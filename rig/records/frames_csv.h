@@ -18,7 +18,7 @@ std::string frames_csv(const std::vector<FrameRecord>& frames, WallTimes wall_ti
 struct FrameTable {
     std::size_t frames = 0;
     std::map<std::string, std::vector<std::optional<double>>> columns;
-    std::vector<std::string> order;    ///< ids as they stand in the file
+    std::vector<std::string> order;  ///< ids as they stand in the file
 
     /// Empty cells for an unknown id.
     std::vector<std::optional<double>> column(const std::string& id) const;

@@ -14,7 +14,7 @@ namespace foverig {
 struct DeviceRecord {
     std::string name;
     SourceCounts counts;
-    std::optional<double> rate_hz;    ///< samples over the time they were taken in
+    std::optional<double> rate_hz;  ///< samples over the time they were taken in
 };
 
 struct RunRecord {
@@ -24,9 +24,9 @@ struct RunRecord {
     std::string pipeline;
     std::string backend;
     std::uint64_t backend_bytes = 0;
-    double rate_hz = 75.0;             ///< of the display
-    bool fixed_cost = false;           ///< lockstep clock at a fixed cost
-    bool interrupted = false;          ///< ended early by Ctrl-C
+    double rate_hz = 75.0;     ///< of the display
+    bool fixed_cost = false;   ///< lockstep clock at a fixed cost
+    bool interrupted = false;  ///< ended early by Ctrl-C
 };
 
 }  // namespace foverig

@@ -72,10 +72,11 @@ json vsync_json(const RunRecord& run, const VsyncCount& count) {
     const double budget_ms = 1000.0 / run.rate_hz;
     double busy_ms = 0.0;
     for (const FrameRecord& frame : run.frames) busy_ms += frame_time_ms(frame);
-    json vsync = {{"rate_hz", run.rate_hz}, {"budget_ms", budget_ms}, {"total", count.total},
+    json vsync = {{"rate_hz", run.rate_hz}, {"budget_ms", budget_ms},  {"total", count.total},
                   {"missed", count.missed}, {"missed_ratio", nullptr}, {"utilisation", nullptr}};
     if (count.total > 0) {
-        vsync["missed_ratio"] = static_cast<double>(count.missed) / static_cast<double>(count.total);
+        vsync["missed_ratio"] =
+            static_cast<double>(count.missed) / static_cast<double>(count.total);
     }
     if (!run.frames.empty()) {
         vsync["utilisation"] = busy_ms / static_cast<double>(run.frames.size()) / budget_ms;
@@ -84,14 +85,15 @@ json vsync_json(const RunRecord& run, const VsyncCount& count) {
 }
 
 json latencies(const std::vector<FrameRecord>& frames) {
-    return {{"motion_to_photon", spread(frames, motion_to_photon_ms)},
-            {"gaze_to_photon", spread(frames, gaze_to_photon_ms)},
-            {"imu_transport", spread(frames, imu_transport_ms)},
-            {"gaze_transport", spread(frames, gaze_transport_ms)},
-            {"motion_to_photon_readback", spread(frames, readback_ms)},
-            {"prediction_error_deg",
-             spread(frames, [](const FrameRecord& f) { return f.prediction_error_deg; })},
-            {"gaze_error_deg", spread(frames, [](const FrameRecord& f) { return f.gaze_error_deg; })}};
+    return {
+        {"motion_to_photon", spread(frames, motion_to_photon_ms)},
+        {"gaze_to_photon", spread(frames, gaze_to_photon_ms)},
+        {"imu_transport", spread(frames, imu_transport_ms)},
+        {"gaze_transport", spread(frames, gaze_transport_ms)},
+        {"motion_to_photon_readback", spread(frames, readback_ms)},
+        {"prediction_error_deg",
+         spread(frames, [](const FrameRecord& f) { return f.prediction_error_deg; })},
+        {"gaze_error_deg", spread(frames, [](const FrameRecord& f) { return f.gaze_error_deg; })}};
 }
 
 json devices_json(const std::vector<DeviceRecord>& devices) {
@@ -118,13 +120,13 @@ json numerics_json(const std::vector<FrameRecord>& frames) {
 json plan_json(const std::vector<PlannedEffect>& plan) {
     json effects = json::array();
     for (const PlannedEffect& effect : plan) {
-        effects.push_back({{"effect", effect.name},
-                           {"on", effect.on},
-                           {"because", effect.because},
-                           {"passes", effect.passes},
-                           {"bytes", effect.bytes},
-                           {"measured_ms", effect.measured_ms < 0.0 ? json(nullptr)
-                                                                    : json(effect.measured_ms)}});
+        effects.push_back(
+            {{"effect", effect.name},
+             {"on", effect.on},
+             {"because", effect.because},
+             {"passes", effect.passes},
+             {"bytes", effect.bytes},
+             {"measured_ms", effect.measured_ms < 0.0 ? json(nullptr) : json(effect.measured_ms)}});
     }
     return effects;
 }
@@ -138,15 +140,19 @@ json summary_json(const RunRecord& run, const json& scenario, const BuildInfo& b
                         {"compiler", build.compiler}, {"flags", build.flags},
                         {"type", build.build_type},   {"fp_mode", build.fp_mode},
                         {"backend", run.backend},     {"device", or_null(host.cpu)}};
-    summary["host"] = {{"cpu", or_null(host.cpu)}, {"cores", host.cores}, {"gpu", nullptr},
+    summary["host"] = {{"cpu", or_null(host.cpu)},
+                       {"cores", host.cores},
+                       {"gpu", nullptr},
                        {"os", or_null(host.os)}};
     summary["scenario"] = scenario;
     summary["pipeline"] = run.pipeline;
     summary["interrupted"] = run.interrupted;
     summary["fixed_cost"] = run.fixed_cost;
     summary["plan"] = plan_json(run.plan);
-    summary["frames"] = {{"rendered", count.rendered}, {"presented", count.presented},
-                         {"dropped", count.dropped}, {"late", count.late}};
+    summary["frames"] = {{"rendered", count.rendered},
+                         {"presented", count.presented},
+                         {"dropped", count.dropped},
+                         {"late", count.late}};
     summary["frame_time_ms"] = spread(frames, frame_time_ms);
     summary["render_time_ms"] = spread(frames, [](const FrameRecord& f) { return f.render_ms; });
     summary["pass_time_ms"] = pass_times(frames);

@@ -28,9 +28,12 @@ std::string device_table(const RunData& run) {
     const auto devices = run.summary.value("devices", nlohmann::json::object());
     for (const auto& [name, device] : devices.items()) {
         const char* key = name.c_str();
-        const auto cell = [&](const char* what) { return count(run.number({"devices", key, what})); };
-        rows.push_back({escaped(name), cell("samples"), number(run.number({"devices", key, "rate_hz"})),
-                        cell("lost"), cell("rejected"), cell("reconnects")});
+        const auto cell = [&](const char* what) {
+            return count(run.number({"devices", key, what}));
+        };
+        rows.push_back({escaped(name), cell("samples"),
+                        number(run.number({"devices", key, "rate_hz"})), cell("lost"),
+                        cell("rejected"), cell("reconnects")});
     }
     return table({"device", "samples", "rate Hz", "lost", "rejected", "reconnects"}, rows,
                  {1, 2, 3, 4, 5});

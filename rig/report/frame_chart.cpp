@@ -26,7 +26,7 @@ FrameChart::FrameChart(std::string_view label, double height, double high_ms, st
     svg.text({kLeft - 8, kTop - 8}, "ms", "axis", "end");
     const double frame_pitch = (kRight - kLeft) / static_cast<double>(frames);
     for (const double tick : ticks(static_cast<double>(frames - 1), 10)) {
-        if (tick != std::floor(tick)) continue;    // no half frames
+        if (tick != std::floor(tick)) continue;  // no half frames
         svg.text({kLeft + frame_pitch * (tick + 0.5), height - kBottom + 16},
                  fmt::format("{:g}", tick), "axis", "middle");
     }

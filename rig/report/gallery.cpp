@@ -17,7 +17,7 @@ struct Kept {
     std::string kind;
     std::string eye;
     std::string file;
-    std::optional<double> error;    ///< mean absolute, against full
+    std::optional<double> error;  ///< mean absolute, against full
 };
 
 struct Kind {
@@ -54,8 +54,8 @@ std::string figure(const RunData& run, const Kept& kept, const char* caption, in
     return fmt::format(
         "<figure class=\"{}\"><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"><figcaption>{} "
         "<code>{}</code></figcaption></figure>",
-        kept.kind == "panel" ? "wide" : "eye", jpeg_uri(picture, 88), picture.width_px,
-        picture.height_px, escaped(words), escaped(words), escaped(kept.file));
+        picture.width_px > picture.height_px ? "wide" : "eye", jpeg_uri(picture, 88),
+        picture.width_px, picture.height_px, escaped(words), escaped(words), escaped(kept.file));
 }
 
 std::string drawn(const RunData& run, const std::vector<Kept>& images, int width_px) {

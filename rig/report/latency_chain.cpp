@@ -54,9 +54,10 @@ Chain chain_of(const FrameTable& frames, const char* name, const std::string& de
         to[link] = frames.column(links[link].to);
     }
     for (std::size_t i = 0; i < frames.frames; ++i) {
-        const bool complete = std::all_of(from.begin(), from.end(),
-                                          [&](const auto& column) { return column[i].has_value(); }) &&
-                              to.back()[i].has_value();
+        const bool complete =
+            std::all_of(from.begin(), from.end(),
+                        [&](const auto& column) { return column[i].has_value(); }) &&
+            to.back()[i].has_value();
         if (!complete) continue;
         for (std::size_t link = 0; link < links.size(); ++link) {
             spans_ms[link].push_back((*to[link][i] - *from[link][i]) * 1e-6);
@@ -97,16 +98,16 @@ std::string legend() {
 std::string chain_table(const std::vector<Chain>& chains) {
     const auto links = links_of("");
     const auto row = [](const std::string& what, const std::optional<Distribution>& d) {
-        return std::vector<std::string>{what, number(d->mean), number(d->p50), number(d->p90),
-                                        number(d->p99), number(d->max)};
+        return std::vector<std::string>{what,           number(d->mean), number(d->p50),
+                                        number(d->p90), number(d->p99),  number(d->max)};
     };
     std::vector<std::vector<std::string>> rows;
     for (const Chain& chain : chains) {
         rows.push_back(row(fmt::format("<b>{} to photon</b>", chain.name), chain.whole));
         for (std::size_t i = 0; i < links.size(); ++i) {
-            rows.push_back(row(fmt::format("<i class=\"key {}\"></i>{}", series_class(i),
-                                           links[i].name),
-                               chain.links[i]));
+            rows.push_back(
+                row(fmt::format("<i class=\"key {}\"></i>{}", series_class(i), links[i].name),
+                    chain.links[i]));
         }
     }
     return table({"", "mean ms", "p50", "p90", "p99", "max"}, rows, {1, 2, 3, 4, 5});
@@ -116,7 +117,8 @@ std::string chain_table(const std::vector<Chain>& chains) {
 
 std::string latency_chain(const RunData& run) {
     std::vector<Chain> chains;
-    for (auto& chain : {chain_of(run.frames, "motion", "sample"), chain_of(run.frames, "gaze", "gaze")}) {
+    for (auto& chain :
+         {chain_of(run.frames, "motion", "sample"), chain_of(run.frames, "gaze", "gaze")}) {
         if (chain.whole) chains.push_back(chain);
     }
     if (chains.empty()) return "<p>No frame has every instant from a sample to its photon.</p>";

@@ -28,19 +28,20 @@ std::string verdict(const RunData& run) {
     if (!missed || !total || *total == 0.0) {
         return "<p class=\"verdict bad\">No frame was shown.</p>";
     }
-    const std::string basis =
-        fmt::format("frame time p50 {}, p99 {}; budget {}",
-                    milliseconds(run.number({"frame_time_ms", "p50"})),
-                    milliseconds(run.number({"frame_time_ms", "p99"})),
-                    milliseconds(run.number({"vsync", "budget_ms"})));
+    const std::string basis = fmt::format("frame time p50 {}, p99 {}; budget {}",
+                                          milliseconds(run.number({"frame_time_ms", "p50"})),
+                                          milliseconds(run.number({"frame_time_ms", "p99"})),
+                                          milliseconds(run.number({"vsync", "budget_ms"})));
     if (*missed == 0.0) {
-        return fmt::format("<p class=\"verdict\"><b>Holds {:g} Hz</b>: a new frame at each of {} "
-                           "VSyncs ({}).</p>",
-                           rate_hz, count(total), basis);
+        return fmt::format(
+            "<p class=\"verdict\"><b>Holds {:g} Hz</b>: a new frame at each of {} "
+            "VSyncs ({}).</p>",
+            rate_hz, count(total), basis);
     }
-    return fmt::format("<p class=\"verdict bad\"><b>Does not hold {:g} Hz</b>: {} of {} VSyncs had "
-                       "no new frame ({}).</p>",
-                       rate_hz, count(missed), count(total), basis);
+    return fmt::format(
+        "<p class=\"verdict bad\"><b>Does not hold {:g} Hz</b>: {} of {} VSyncs had "
+        "no new frame ({}).</p>",
+        rate_hz, count(missed), count(total), basis);
 }
 
 std::string median_interval(const RunData& run) {
@@ -52,8 +53,9 @@ std::string median_interval(const RunData& run) {
 
 std::string tiles(const RunData& run) {
     const auto latency = [&](const char* name, const char* what) {
-        return tile(what, milliseconds(run.number({"latency_ms", name, "p50"})),
-                    fmt::format("p50; p99 {}", milliseconds(run.number({"latency_ms", name, "p99"}))));
+        return tile(
+            what, milliseconds(run.number({"latency_ms", name, "p50"})),
+            fmt::format("p50; p99 {}", milliseconds(run.number({"latency_ms", name, "p99"}))));
     };
     std::string html = "<div class=\"tiles\">";
     html += tile("frame time", milliseconds(run.number({"frame_time_ms", "p50"})),
@@ -66,10 +68,11 @@ std::string tiles(const RunData& run) {
     html += tile("traced pixels", percent(run.number({"sampled_pixel_ratio"})), "of all pixels");
     html += tile("rays", count(run.number({"rays", "total"})),
                  fmt::format("a frame, {} primary", count(run.number({"rays", "primary"}))));
-    html += tile("frames", count(run.number({"frames", "rendered"})),
-                 fmt::format("{} shown, {} dropped, {} late", count(run.number({"frames", "presented"})),
-                             count(run.number({"frames", "dropped"})),
-                             count(run.number({"frames", "late"}))));
+    html +=
+        tile("frames", count(run.number({"frames", "rendered"})),
+             fmt::format(
+                 "{} shown, {} dropped, {} late", count(run.number({"frames", "presented"})),
+                 count(run.number({"frames", "dropped"})), count(run.number({"frames", "late"}))));
     const auto error_deg = run.number({"latency_ms", "prediction_error_deg", "p99"});
     html += tile("prediction error", error_deg ? number(error_deg) + "°" : number(error_deg),
                  "p99, head pose at the photon");
@@ -78,9 +81,13 @@ std::string tiles(const RunData& run) {
 
 }  // namespace
 
+std::string title(const RunData& run) {
+    const std::filesystem::path scene = run.text({"scenario", "scene"});
+    return scene.filename().string() + " · " + run.text({"pipeline"});
+}
+
 std::string overview(const RunData& run) {
-    std::string html = fmt::format("<h1>{} · {}</h1>", escaped(run.text({"scenario", "scene"})),
-                                   escaped(run.text({"pipeline"})));
+    std::string html = fmt::format("<h1>{}</h1>", escaped(title(run)));
     const auto clock = run.text({"scenario", "clock"});
     html += fmt::format(
         "<p class=\"identity\">foverig {} ({}) · {} · {}, {} floating point · backend {} · {}, {} "
@@ -89,8 +96,7 @@ std::string overview(const RunData& run) {
         escaped(run.text({"build", "compiler"})), escaped(run.text({"build", "type"})),
         escaped(run.text({"build", "fp_mode"})), escaped(run.text({"build", "backend"})),
         escaped(run.text({"host", "cpu"})), count(run.number({"host", "cores"})),
-        escaped(run.text({"host", "os"})), escaped(clock),
-        escaped(run.text({"scenario", "cost"})),
+        escaped(run.text({"host", "os"})), escaped(clock), escaped(run.text({"scenario", "cost"})),
         run.summary.value("interrupted", false) ? " · <b>ended early by Ctrl-C</b>" : "");
     return html + verdict(run) + tiles(run);
 }

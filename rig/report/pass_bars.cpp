@@ -18,7 +18,7 @@ constexpr std::size_t kMostColumns = 160;
 
 struct Pass {
     std::string name;
-    double mean_ms = 0.0;    ///< a frame, over all frames
+    double mean_ms = 0.0;  ///< a frame, over all frames
 };
 
 /// Longest first. A pass that ran in some frames only counts as 0 in the others.

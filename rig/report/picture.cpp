@@ -1,10 +1,12 @@
 #include "rig/report/picture.h"
 
-#include <fmt/format.h>
-// jpeglib.h needs size_t and FILE declared before it.
 #include <cstddef>
 #include <cstdio>
+
+// Needs size_t and FILE, which it does not declare.
 #include <jpeglib.h>
+
+#include <fmt/format.h>
 #include <png.h>
 
 #include <algorithm>
@@ -46,7 +48,9 @@ const std::array<float, 256>& linear_table() {
     return table;
 }
 
-[[noreturn]] void fail_jpeg(j_common_ptr) { throw std::runtime_error("libjpeg cannot encode"); }
+[[noreturn]] void fail_jpeg(j_common_ptr) {
+    throw std::runtime_error("libjpeg cannot encode");
+}
 
 }  // namespace
 

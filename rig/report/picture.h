@@ -10,7 +10,7 @@ namespace foverig::report {
 struct Picture {
     int width_px = 0;
     int height_px = 0;
-    std::vector<std::uint8_t> rgb;    ///< sRGB, three bytes a pixel
+    std::vector<std::uint8_t> rgb;  ///< sRGB, three bytes a pixel
 };
 
 /// Throws InputError with the file's name.

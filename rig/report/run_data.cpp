@@ -37,8 +37,10 @@ RunData read_run(const std::filesystem::path& folder) {
     const auto file = folder / "summary.json";
     std::ifstream stream(file);
     if (!stream) {
-        throw InputError(fmt::format("{}: cannot be read; expected a run folder, as `foverig run` "
-                                     "writes it", file.string()));
+        throw InputError(
+            fmt::format("{}: cannot be read; expected a run folder, as `foverig run` "
+                        "writes it",
+                        file.string()));
     }
     RunData run{folder, nlohmann::json::parse(stream, nullptr, false), {}};
     if (run.summary.is_discarded() || run.text({"schema"}).rfind("foverig.summary/1", 0) != 0) {

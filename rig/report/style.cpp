@@ -24,7 +24,7 @@ section { margin-top: 36px; border-top: 1px solid var(--rule); padding-top: 18px
 .verdict { font-size: 16px; margin: 14px 0; padding: 12px 16px; background: var(--panel);
   border-left: 4px solid var(--good); border-radius: 4px; }
 .verdict.bad { border-color: var(--dropped); }
-.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(200px, 1fr)); gap: 10px; }
+.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(235px, 1fr)); gap: 10px; }
 .tile { background: var(--panel); border-radius: 6px; padding: 10px 14px; }
 .tile b { display: block; font-size: 22px; line-height: 1.3; font-variant-numeric: tabular-nums; }
 .tile span, .tile small { color: var(--soft); font-size: 12.5px; display: block; }
@@ -37,25 +37,32 @@ svg .budget-text { fill: var(--budget); font-weight: 600; paint-order: stroke;
   stroke: var(--paper); stroke-width: 4px; }
 .grid { stroke: var(--rule); stroke-width: 1; }
 .budget { stroke: var(--budget); stroke-width: 1.5; stroke-dasharray: 6 4; }
-.good { fill: var(--good); background: var(--good); } .late { fill: var(--late); background: var(--late); }
+.good { fill: var(--good); background: var(--good); } .late { fill: var(--late);
+  background: var(--late); }
 .dropped { fill: var(--dropped); background: var(--dropped); }
 .s0 { fill: var(--s0); background: var(--s0); } .s1 { fill: var(--s1); background: var(--s1); }
 .s2 { fill: var(--s2); background: var(--s2); } .s3 { fill: var(--s3); background: var(--s3); }
 .s4 { fill: var(--s4); background: var(--s4); } .s5 { fill: var(--s5); background: var(--s5); }
 .s6 { fill: var(--s6); background: var(--s6); } .s7 { fill: var(--s7); background: var(--s7); }
 .s8 { fill: var(--s8); background: var(--s8); } .s9 { fill: var(--s9); background: var(--s9); }
-.legend { display: flex; flex-wrap: wrap; gap: 4px 20px; font-size: 13px; color: var(--soft); margin: 8px 0 14px; }
-.legend i, .key { display: inline-block; width: 11px; height: 11px; border-radius: 2px; margin-right: 6px; }
+.legend { display: flex; flex-wrap: wrap; gap: 4px 20px; font-size: 13px; color: var(--soft);
+  margin: 8px 0 14px; }
+.legend i, .key { display: inline-block; width: 11px; height: 11px; border-radius: 2px;
+  margin-right: 6px; }
 table { border-collapse: collapse; width: 100%; font-size: 13.5px; margin: 8px 0; }
-th, td { text-align: left; padding: 5px 12px 5px 0; border-bottom: 1px solid var(--rule); vertical-align: top; }
+th, td { text-align: left; padding: 5px 12px 5px 0; border-bottom: 1px solid var(--rule);
+  vertical-align: top; }
 th { color: var(--soft); font-weight: 600; white-space: nowrap; }
-th.n, td.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; padding-right: 16px; }
+th.n, td.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap;
+  padding-right: 16px; }
 tr.off td { color: var(--soft); }
 code, pre { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: 12.5px; }
 pre { background: var(--panel); padding: 12px; border-radius: 6px; overflow-x: auto; }
-.gallery { display: flex; flex-wrap: wrap; gap: 14px; align-items: flex-start; margin-bottom: 14px; }
+.gallery { display: flex; flex-wrap: wrap; gap: 14px; align-items: flex-start;
+  margin-bottom: 14px; }
 figure { margin: 0; } figure.eye { flex: 1 1 calc(25% - 11px); min-width: 190px; max-width: 50%; }
-figure.wide { flex: 1 1 100%; } figure img { width: 100%; height: auto; border-radius: 4px; display: block; }
+figure.wide { flex: 1 1 100%; } figure img { width: 100%; height: auto; border-radius: 4px;
+  display: block; }
 figcaption { font-size: 12.5px; color: var(--soft); margin-top: 4px; }
 figcaption code { font-size: 11.5px; overflow-wrap: anywhere; }
 details summary { cursor: pointer; font-weight: 600; }

@@ -24,18 +24,18 @@ Svg::Svg(double width, double height, std::string_view label)
 
 Svg& Svg::rect(Point corner, double width, double height, std::string_view css_class,
                std::string_view title) {
-    text_ += titled(fmt::format("rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
-                                "class=\"{}\"",
-                                corner.x, corner.y, std::max(width, 0.0), std::max(height, 0.0),
-                                css_class),
-                    title);
+    text_ += titled(
+        fmt::format("rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
+                    "class=\"{}\"",
+                    corner.x, corner.y, std::max(width, 0.0), std::max(height, 0.0), css_class),
+        title);
     return *this;
 }
 
 Svg& Svg::line(Point from, Point to, std::string_view css_class) {
-    text_ += fmt::format(
-        "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" class=\"{}\"/>", from.x,
-        from.y, to.x, to.y, css_class);
+    text_ +=
+        fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" class=\"{}\"/>",
+                    from.x, from.y, to.x, to.y, css_class);
     return *this;
 }
 
@@ -55,13 +55,15 @@ Svg& Svg::circle(Point centre, double radius, std::string_view css_class, std::s
 
 Svg& Svg::text(Point at, std::string_view text, std::string_view css_class,
                std::string_view anchor) {
-    text_ += fmt::format(
-        "<text x=\"{:.2f}\" y=\"{:.2f}\" class=\"{}\" text-anchor=\"{}\">{}</text>", at.x, at.y,
-        css_class, anchor, escaped(text));
+    text_ +=
+        fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" class=\"{}\" text-anchor=\"{}\">{}</text>",
+                    at.x, at.y, css_class, anchor, escaped(text));
     return *this;
 }
 
-std::string Svg::str() const { return "<div class=\"scroll\">" + text_ + "</svg></div>"; }
+std::string Svg::str() const {
+    return "<div class=\"scroll\">" + text_ + "</svg></div>";
+}
 
 std::vector<double> ticks(double high, int wanted) {
     if (!(high > 0.0) || wanted < 1) return {0.0};

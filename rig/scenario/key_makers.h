@@ -41,39 +41,40 @@ Key flag_key(std::string name, std::string help, Access at) {
 }
 
 template <class Access>
-Key number_key(std::string name, const std::string& unit, Range range, std::string help, Access at) {
+Key number_key(std::string name, const std::string& unit, Range range, std::string help,
+               Access at) {
     std::string expected = "a number" + range_text(range, unit);
-    return {.name = std::move(name),
-            .type = KeyType::number,
-            .expected = expected,
-            .help = std::move(help),
-            .get = [at](const Scenario& s) { return KeyValue(static_cast<double>(at(s))); },
-            .set = [at, range, expected](Scenario& s,
-                                         const KeyValue& v) -> std::optional<std::string> {
-                const double value = std::get<double>(v);
-                if (!(value >= range.min && value <= range.max)) return expected;
-                at(s) = value;
-                return std::nullopt;
-            }};
+    return {
+        .name = std::move(name),
+        .type = KeyType::number,
+        .expected = expected,
+        .help = std::move(help),
+        .get = [at](const Scenario& s) { return KeyValue(static_cast<double>(at(s))); },
+        .set = [at, range, expected](Scenario& s, const KeyValue& v) -> std::optional<std::string> {
+            const double value = std::get<double>(v);
+            if (!(value >= range.min && value <= range.max)) return expected;
+            at(s) = value;
+            return std::nullopt;
+        }};
 }
 
 template <class Access>
 Key integer_key(std::string name, const std::string& unit, Range range, std::string help,
                 Access at) {
     std::string expected = "a whole number" + range_text(range, unit);
-    return {.name = std::move(name),
-            .type = KeyType::integer,
-            .expected = expected,
-            .help = std::move(help),
-            .get = [at](const Scenario& s) { return KeyValue(static_cast<std::int64_t>(at(s))); },
-            .set = [at, range, expected](Scenario& s,
-                                         const KeyValue& v) -> std::optional<std::string> {
-                const auto value = std::get<std::int64_t>(v);
-                const auto as_number = static_cast<double>(value);
-                if (!(as_number >= range.min && as_number <= range.max)) return expected;
-                at(s) = static_cast<std::decay_t<decltype(at(s))>>(value);
-                return std::nullopt;
-            }};
+    return {
+        .name = std::move(name),
+        .type = KeyType::integer,
+        .expected = expected,
+        .help = std::move(help),
+        .get = [at](const Scenario& s) { return KeyValue(static_cast<std::int64_t>(at(s))); },
+        .set = [at, range, expected](Scenario& s, const KeyValue& v) -> std::optional<std::string> {
+            const auto value = std::get<std::int64_t>(v);
+            const auto as_number = static_cast<double>(value);
+            if (!(as_number >= range.min && as_number <= range.max)) return expected;
+            at(s) = static_cast<std::decay_t<decltype(at(s))>>(value);
+            return std::nullopt;
+        }};
 }
 
 template <class Access>
@@ -102,21 +103,38 @@ Key choice_key(std::string name, std::vector<std::string> choices, std::string h
     return key;
 }
 
+/// Numbers in groups of `group`, or [].
+template <class Access>
+Key numbers_key(std::string name, std::size_t group, std::string expected, std::string help,
+                Access at) {
+    return {
+        .name = std::move(name),
+        .type = KeyType::numbers,
+        .expected = expected,
+        .help = std::move(help),
+        .get = [at](const Scenario& s) { return KeyValue(at(s)); },
+        .set = [at, group, expected](Scenario& s, const KeyValue& v) -> std::optional<std::string> {
+            const auto& value = std::get<std::vector<double>>(v);
+            if (value.size() % group != 0) return expected;
+            at(s) = value;
+            return std::nullopt;
+        }};
+}
+
 /// A point [x, y, z], or [] for "from the scene".
 template <class Access>
 Key point_key(std::string name, std::string help, Access at) {
-    std::string expected = "three numbers [x, y, z] (m), or [] for the scene's own";
-    return {.name = std::move(name),
-            .type = KeyType::numbers,
-            .expected = expected,
-            .help = std::move(help),
-            .get = [at](const Scenario& s) { return KeyValue(at(s)); },
-            .set = [at, expected](Scenario& s, const KeyValue& v) -> std::optional<std::string> {
-                const auto& value = std::get<std::vector<double>>(v);
-                if (!value.empty() && value.size() != 3) return expected;
-                at(s) = value;
-                return std::nullopt;
-            }};
+    Key key =
+        numbers_key(std::move(name), 3, "three numbers [x, y, z] (m), or [] for the scene's own",
+                    std::move(help), at);
+    key.set = [at, expected = key.expected](Scenario& s,
+                                            const KeyValue& v) -> std::optional<std::string> {
+        const auto& value = std::get<std::vector<double>>(v);
+        if (!value.empty() && value.size() != 3) return expected;
+        at(s) = value;
+        return std::nullopt;
+    };
+    return key;
 }
 
 }  // namespace foverig

@@ -2,9 +2,10 @@
 
 #include "rig/scenario/cost.h"
 #include "rig/scenario/key_makers.h"
-#include "rig/text/nearest.h"
 #include "rig/scenario/render_keys.h"
 #include "rig/scenario/simulation_keys.h"
+#include "rig/scenario/world_keys.h"
+#include "rig/text/nearest.h"
 
 namespace foverig {
 namespace {
@@ -19,9 +20,9 @@ std::optional<std::string> only_simulated(const std::string& devices) {
 }
 
 Key devices_key() {
-    Key key = text_key("devices", "sim (hardware and replay:FILE come later)",
-                       "where the bytes of the devices come from",
-                       [](auto& s) -> auto& { return s.devices; });
+    Key key = text_key(
+        "devices", "sim (hardware and replay:FILE come later)",
+        "where the bytes of the devices come from", [](auto& s) -> auto& { return s.devices; });
     key.set = [](Scenario& s, const KeyValue& v) {
         auto complaint = only_simulated(std::get<std::string>(v));
         if (!complaint) s.devices = std::get<std::string>(v);
@@ -31,9 +32,10 @@ Key devices_key() {
 }
 
 Key cost_key() {
-    Key key = text_key("cost", "measured, or fixed:MS with MS from 0 to 10000",
-                       "what a frame costs on the lockstep clock; fixed makes runs repeat bit for bit",
-                       [](auto& s) -> auto& { return s.cost; });
+    Key key = text_key(
+        "cost", "measured, or fixed:MS with MS from 0 to 10000",
+        "what a frame costs on the lockstep clock; fixed makes runs repeat bit for bit",
+        [](auto& s) -> auto& { return s.cost; });
     key.set = [expected = key.expected](Scenario& s,
                                         const KeyValue& v) -> std::optional<std::string> {
         if (!parse_cost(std::get<std::string>(v))) return expected;
@@ -44,8 +46,9 @@ Key cost_key() {
 }
 
 Key recording_key() {
-    Key key = flag_key("recording.enabled", "record the devices' bytes (not in this version yet)",
-                       [](auto& s) -> auto& { return s.recording; });
+    Key key = flag_key(
+        "recording.enabled", "record the devices' bytes (not in this version yet)",
+        [](auto& s) -> auto& { return s.recording; });
     key.expected = "false (recording comes with a later version)";
     key.set = [expected = key.expected](Scenario& s,
                                         const KeyValue& v) -> std::optional<std::string> {
@@ -75,69 +78,69 @@ Key image_frames_key() {
 }
 
 void add_run_keys(std::vector<Key>& keys) {
-    keys.push_back(text_key("scene", "a built-in scene (foverig scenes) or a file",
-                            "what is looked at; a file is taken relative to the scenario",
-                            [](auto& s) -> auto& { return s.scene; }));
-    keys.push_back(number_key("scene_scale", "m per file unit", {1e-6, 1e6},
-                              "0.001 for a file in millimetres",
-                              [](auto& s) -> auto& { return s.scene_scale; }));
-    keys.push_back(number_key("scene_detail", "", {0.001, 100.0},
-                              "triangle count of a built-in scene, 1 = as documented",
-                              [](auto& s) -> auto& { return s.scene_detail; }));
+    keys.push_back(text_key(
+        "scene", "a built-in scene (foverig scenes) or a file",
+        "what is looked at; a file is taken relative to the scenario",
+        [](auto& s) -> auto& { return s.scene; }));
+    keys.push_back(number_key(
+        "scene_scale", "m per file unit", {1e-6, 1e6}, "0.001 for a file in millimetres",
+        [](auto& s) -> auto& { return s.scene_scale; }));
+    keys.push_back(number_key(
+        "scene_detail", "", {0.001, 100.0}, "triangle count of a built-in scene, 1 = as documented",
+        [](auto& s) -> auto& { return s.scene_detail; }));
     add_renderer_keys(keys);
     keys.push_back(devices_key());
-    keys.push_back(choice_key("clock", {"wall", "lockstep"},
-                              "wall: real time; lockstep: time moves by what each frame cost",
-                              [](auto& s) -> auto& { return s.clock; }));
+    keys.push_back(choice_key(
+        "clock", {"wall", "lockstep"},
+        "wall: real time; lockstep: time moves by what each frame cost",
+        [](auto& s) -> auto& { return s.clock; }));
     keys.push_back(cost_key());
-    keys.push_back(integer_key("frames", "", {0, 1e9}, "frames to render; 0 = until `seconds` (both 0: 90)",
-                               [](auto& s) -> auto& { return s.frames; }));
-    keys.push_back(number_key("seconds", "s", {0.0, 86'400.0},
-                              "how long to run on the run's clock; 0 = until `frames`",
-                              [](auto& s) -> auto& { return s.seconds; }));
-    keys.push_back(number_key("settle_s", "s", {0.0, 60.0},
-                              "devices run this long before the first frame, so that clock maps "
-                              "and fusion have settled",
-                              [](auto& s) -> auto& { return s.settle_s; }));
+    keys.push_back(integer_key(
+        "frames", "", {0, 1e9}, "frames to render; 0 = until `seconds` (both 0: 90)",
+        [](auto& s) -> auto& { return s.frames; }));
+    keys.push_back(number_key(
+        "seconds", "s", {0.0, 86'400.0}, "how long to run on the run's clock; 0 = until `frames`",
+        [](auto& s) -> auto& { return s.seconds; }));
+    keys.push_back(number_key(
+        "settle_s", "s", {0.0, 60.0},
+        "devices run this long before the first frame, so that clock maps "
+        "and fusion have settled",
+        [](auto& s) -> auto& { return s.settle_s; }));
 }
 
 void add_display_keys(std::vector<Key>& keys) {
-    keys.push_back(choice_key("display.kind", {"virtual"}, "the panel that shows the frames",
-                              [](auto& s) -> auto& { return s.display.kind; }));
-    keys.push_back(number_key("display.rate_hz", "Hz", {1.0, 1000.0}, "VSync rate (DK2: 75)",
-                              [](auto& s) -> auto& { return s.display.rate_hz; }));
-    keys.push_back(integer_key("display.eyes", "", {1, 2}, "1: the left eye only; 2: both",
-                               [](auto& s) -> auto& { return s.display.eyes; }));
-    keys.push_back(integer_key("display.eye_width_px", "px", {16, 8192},
-                               "width of an eye's image (DK2: 1182)",
-                               [](auto& s) -> auto& { return s.display.eye_width_px; }));
-    keys.push_back(integer_key("display.eye_height_px", "px", {16, 8192},
-                               "height of an eye's image (DK2: 1464)",
-                               [](auto& s) -> auto& { return s.display.eye_height_px; }));
-    keys.push_back(flag_key("display.distortion",
-                            "lens distortion with chromatic correction as a pass",
-                            [](auto& s) -> auto& { return s.display.distortion; }));
-    keys.push_back(choice_key("display.pacing", {"vsync", "free"},
-                              "vsync: begin a frame at a VSync; free: as soon as the last is done",
-                              [](auto& s) -> auto& { return s.display.pacing; }));
+    keys.push_back(choice_key(
+        "display.kind", {"virtual"}, "the panel that shows the frames",
+        [](auto& s) -> auto& { return s.display.kind; }));
+    keys.push_back(number_key(
+        "display.rate_hz", "Hz", {1.0, 1000.0}, "VSync rate (DK2: 75)",
+        [](auto& s) -> auto& { return s.display.rate_hz; }));
+    keys.push_back(integer_key(
+        "display.eyes", "", {1, 2}, "1: the left eye only; 2: both",
+        [](auto& s) -> auto& { return s.display.eyes; }));
+    keys.push_back(integer_key(
+        "display.eye_width_px", "px", {16, 8192}, "width of an eye's image (DK2: 1182)",
+        [](auto& s) -> auto& { return s.display.eye_width_px; }));
+    keys.push_back(integer_key(
+        "display.eye_height_px", "px", {16, 8192}, "height of an eye's image (DK2: 1464)",
+        [](auto& s) -> auto& { return s.display.eye_height_px; }));
+    keys.push_back(flag_key(
+        "display.distortion", "lens distortion with chromatic correction as a pass",
+        [](auto& s) -> auto& { return s.display.distortion; }));
+    keys.push_back(choice_key(
+        "display.pacing", {"vsync", "free"},
+        "vsync: begin a frame at a VSync; free: as soon as the last is done",
+        [](auto& s) -> auto& { return s.display.pacing; }));
 }
 
-void add_world_keys(std::vector<Key>& keys) {
-    keys.push_back(choice_key("camera.path", {"scene", "still"},
-                              "scene: fly the scene's own path; still: stand at position_m",
-                              [](auto& s) -> auto& { return s.camera.path; }));
-    keys.push_back(point_key("camera.position_m", "where to stand when camera.path is still",
-                             [](auto& s) -> auto& { return s.camera.position_m; }));
-    keys.push_back(point_key("camera.target_m", "what to look at when camera.path is still",
-                             [](auto& s) -> auto& { return s.camera.target_m; }));
-    add_motion_keys(keys);
-    keys.push_back(integer_key("images.count", "", {0, kMostKeptFrames},
-                               "frames to keep images of, spread over the run",
-                               [](auto& s) -> auto& { return s.images.count; }));
+void add_output_keys(std::vector<Key>& keys) {
+    keys.push_back(integer_key(
+        "images.count", "", {0, kMostKeptFrames}, "frames to keep images of, spread over the run",
+        [](auto& s) -> auto& { return s.images.count; }));
     keys.push_back(image_frames_key());
-    keys.push_back(flag_key("images.error",
-                            "render those frames again in full and keep the difference",
-                            [](auto& s) -> auto& { return s.images.error; }));
+    keys.push_back(flag_key(
+        "images.error", "render those frames again in full and keep the difference",
+        [](auto& s) -> auto& { return s.images.error; }));
     keys.push_back(recording_key());
 }
 
@@ -150,7 +153,10 @@ std::vector<Key> make_keys() {
     add_reprojection_keys(keys);
     add_reference_keys(keys);
     add_effect_keys(keys);
-    add_world_keys(keys);
+    add_light_keys(keys);
+    add_camera_keys(keys);
+    add_motion_keys(keys);
+    add_output_keys(keys);
     add_fault_keys(keys);
     return keys;
 }

@@ -18,10 +18,10 @@ using KeyValue = std::variant<bool, std::int64_t, double, std::string, std::vect
                               std::vector<std::int64_t>>;
 
 struct Key {
-    std::string name;        ///< dotted: "foveation.r0_deg"
+    std::string name;  ///< dotted: "foveation.r0_deg"
     KeyType type = KeyType::flag;
-    std::string expected;    ///< "a number from 0 to 180 (deg)"
-    std::string help;        ///< one line
+    std::string expected;  ///< "a number from 0 to 180 (deg)"
+    std::string help;      ///< one line
     std::function<KeyValue(const Scenario&)> get;
     /// Sets, or says why the value cannot be.
     std::function<std::optional<std::string>(Scenario&, const KeyValue&)> set;

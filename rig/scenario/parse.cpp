@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <toml++/toml.h>
 #include <algorithm>
 #include <fstream>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "renderer/scene/library.h"
 #include "rig/failure.h"
@@ -21,7 +21,8 @@ struct Leaf {
     const toml::node* value;
 };
 
-void collect_leaves(const toml::table& table, const std::string& prefix, std::vector<Leaf>& leaves) {
+void collect_leaves(const toml::table& table, const std::string& prefix,
+                    std::vector<Leaf>& leaves) {
     for (const auto& [key, node] : table) {
         const std::string name = prefix + std::string(key.str());
         // A table where a plain key is expected stays a leaf, so that it is a wrong type.
@@ -38,17 +39,17 @@ void order_leaves(std::vector<Leaf>& leaves) {
     std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
         return a.value->source().begin < b.value->source().begin;
     });
-    std::stable_partition(leaves.begin(), leaves.end(), [](const Leaf& leaf) {
-        return leaf.name == "foveation.configuration";
-    });
+    std::stable_partition(leaves.begin(), leaves.end(),
+                          [](const Leaf& leaf) { return leaf.name == "foveation.configuration"; });
 }
 
 void apply_leaf(Scenario& scenario, const Leaf& leaf, const std::string& where) {
     const Key* key = find_key(leaf.name);
     if (key == nullptr) {
-        throw UsageError(fmt::format(
-            "{}: unknown key {}; the nearest known key is {} (foverig run --help-scenario lists all)",
-            where, leaf.name, nearest_key(leaf.name)));
+        throw UsageError(
+            fmt::format("{}: unknown key {}; the nearest known key is {} (foverig run "
+                        "--help-scenario lists all)",
+                        where, leaf.name, nearest_key(leaf.name)));
     }
     const auto value = value_from_toml(*leaf.value, key->type);
     const auto complaint =
@@ -69,8 +70,9 @@ std::string read_text(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
     if (!stream || std::filesystem::is_directory(file) || !(text << stream.rdbuf())) {
-        throw UsageError(fmt::format(
-            "{}: cannot be read; expected a scenario (docs/scenarios has examples)", file.string()));
+        throw UsageError(
+            fmt::format("{}: cannot be read; expected a scenario (docs/scenarios has examples)",
+                        file.string()));
     }
     return text.str();
 }
@@ -82,8 +84,8 @@ void apply_toml(Scenario& scenario, std::string_view text, const std::string& na
     try {
         table = toml::parse(text, name);
     } catch (const toml::parse_error& error) {
-        throw UsageError(fmt::format("{}:{}: not valid TOML: {}", name,
-                                     error.source().begin.line, error.description()));
+        throw UsageError(fmt::format("{}:{}: not valid TOML: {}", name, error.source().begin.line,
+                                     error.description()));
     }
     std::vector<Leaf> leaves;
     collect_leaves(table, "", leaves);
@@ -153,8 +155,13 @@ void complete_scenario(Scenario& scenario) {
     }
     const auto cost = parse_cost(scenario.cost);
     if (scenario.display.pacing == "free" && cost && cost->fixed_ms == 0.0) {
-        throw UsageError("cost is fixed:0 and display.pacing is free, so time would stand still; "
-                         "expected a cost above 0, or display.pacing = vsync");
+        throw UsageError(
+            "cost is fixed:0 and display.pacing is free, so time would stand still; "
+            "expected a cost above 0, or display.pacing = vsync");
+    }
+    if ((scenario.camera.path == "keys") == scenario.camera.keys_m.empty()) {
+        throw UsageError(
+            "camera.path = keys and camera.keys_m belong together; expected both or neither");
     }
     if (scenario.camera.position_m.empty() != scenario.camera.target_m.empty()) {
         throw UsageError(

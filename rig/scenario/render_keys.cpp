@@ -8,15 +8,18 @@
 namespace foverig {
 
 void add_renderer_keys(std::vector<Key>& keys) {
-    keys.push_back(choice_key("pipeline", pipeline_names(), "how a frame is made",
-                              [](auto& s) -> auto& { return s.render.pipeline; }));
-    keys.push_back(choice_key("backend", backend_names(), "what traces the rays",
-                              [](auto& s) -> auto& { return s.render.backend; }));
-    keys.push_back(integer_key("threads", "", {0, 1024}, "of the backend; 0 = one a core",
-                               [](auto& s) -> auto& { return s.render.threads; }));
-    keys.push_back(integer_key("seed", "", {0, 4294967295.0},
-                               "of every random choice: sampling, motion, faults",
-                               [](auto& s) -> auto& { return s.render.seed; }));
+    keys.push_back(choice_key(
+        "pipeline", pipeline_names(), "how a frame is made",
+        [](auto& s) -> auto& { return s.render.pipeline; }));
+    keys.push_back(choice_key(
+        "backend", backend_names(), "what traces the rays",
+        [](auto& s) -> auto& { return s.render.backend; }));
+    keys.push_back(integer_key(
+        "threads", "", {0, 1024}, "of the backend; 0 = one a core",
+        [](auto& s) -> auto& { return s.render.threads; }));
+    keys.push_back(integer_key(
+        "seed", "", {0, 4294967295.0}, "of every random choice: sampling, motion, faults",
+        [](auto& s) -> auto& { return s.render.seed; }));
 }
 
 void add_foveation_keys(std::vector<Key>& keys) {
@@ -36,42 +39,47 @@ void add_foveation_keys(std::vector<Key>& keys) {
         return std::nullopt;
     };
     keys.push_back(std::move(configuration));
-    keys.push_back(number_key("foveation.r0_deg", "deg", {0.0, 180.0},
-                              "every pixel is traced this close to the gaze",
-                              [](auto& s) -> auto& { return s.render.foveation.r0_deg; }));
-    keys.push_back(number_key("foveation.r1_deg", "deg", {0.0, 180.0},
-                              "p_min of the pixels from here on; linear between; >= r0_deg",
-                              [](auto& s) -> auto& { return s.render.foveation.r1_deg; }));
-    keys.push_back(number_key("foveation.p_min", "", {0.0, 1.0},
-                              "share of the pixels traced in the periphery",
-                              [](auto& s) -> auto& { return s.render.foveation.p_min; }));
+    keys.push_back(number_key(
+        "foveation.r0_deg", "deg", {0.0, 180.0}, "every pixel is traced this close to the gaze",
+        [](auto& s) -> auto& { return s.render.foveation.r0_deg; }));
+    keys.push_back(number_key(
+        "foveation.r1_deg", "deg", {0.0, 180.0},
+        "p_min of the pixels from here on; linear between; >= r0_deg",
+        [](auto& s) -> auto& { return s.render.foveation.r1_deg; }));
+    keys.push_back(number_key(
+        "foveation.p_min", "", {0.0, 1.0}, "share of the pixels traced in the periphery",
+        [](auto& s) -> auto& { return s.render.foveation.p_min; }));
 }
 
 void add_lighting_keys(std::vector<Key>& keys) {
-    keys.push_back(flag_key("lighting.point_lights", "use the scene's point lights",
-                            [](auto& s) -> auto& { return s.render.lighting.point_lights; }));
-    keys.push_back(flag_key("lighting.area_lights", "use the scene's area lights",
-                            [](auto& s) -> auto& { return s.render.lighting.area_lights; }));
-    keys.push_back(integer_key("lighting.area_samples", "", {0, 1024},
-                               "shadow rays a pixel for each area light",
-                               [](auto& s) -> auto& { return s.render.lighting.area_samples; }));
-    keys.push_back(integer_key("lighting.ao_samples", "", {0, 1024},
-                               "ambient occlusion rays a pixel",
-                               [](auto& s) -> auto& { return s.render.lighting.ao_samples; }));
-    keys.push_back(number_key("lighting.ao_radius_m", "m", {0.0, 1e6},
-                              "reach of an occlusion ray; 0 = unbounded",
-                              [](auto& s) -> auto& { return s.render.lighting.ao_radius_m; }));
+    keys.push_back(flag_key(
+        "lighting.point_lights", "use the scene's point lights",
+        [](auto& s) -> auto& { return s.render.lighting.point_lights; }));
+    keys.push_back(flag_key(
+        "lighting.area_lights", "use the scene's area lights",
+        [](auto& s) -> auto& { return s.render.lighting.area_lights; }));
+    keys.push_back(integer_key(
+        "lighting.area_samples", "", {0, 1024}, "shadow rays a pixel for each area light",
+        [](auto& s) -> auto& { return s.render.lighting.area_samples; }));
+    keys.push_back(integer_key(
+        "lighting.ao_samples", "", {0, 1024}, "ambient occlusion rays a pixel",
+        [](auto& s) -> auto& { return s.render.lighting.ao_samples; }));
+    keys.push_back(number_key(
+        "lighting.ao_radius_m", "m", {0.0, 1e6}, "reach of an occlusion ray; 0 = unbounded",
+        [](auto& s) -> auto& { return s.render.lighting.ao_radius_m; }));
 }
 
 void add_reference_keys(std::vector<Key>& keys) {
-    keys.push_back(integer_key("reference.samples", "", {1, 1'000'000},
-                               "most samples a pixel of the reference pipeline",
-                               [](auto& s) -> auto& { return s.render.reference.samples; }));
-    keys.push_back(integer_key("reference.max_bounces", "", {0, 64}, "of its paths",
-                               [](auto& s) -> auto& { return s.render.reference.max_bounces; }));
-    keys.push_back(number_key("reference.target_error", "", {0.0, 1.0},
-                              "stop below this estimated relative error; 0 = never",
-                              [](auto& s) -> auto& { return s.render.reference.target_error; }));
+    keys.push_back(integer_key(
+        "reference.samples", "", {1, 1'000'000}, "most samples a pixel of the reference pipeline",
+        [](auto& s) -> auto& { return s.render.reference.samples; }));
+    keys.push_back(integer_key(
+        "reference.max_bounces", "", {0, 64}, "of its paths",
+        [](auto& s) -> auto& { return s.render.reference.max_bounces; }));
+    keys.push_back(number_key(
+        "reference.target_error", "", {0.0, 1.0},
+        "stop below this estimated relative error; 0 = never",
+        [](auto& s) -> auto& { return s.render.reference.target_error; }));
 }
 
 void add_effect_keys(std::vector<Key>& keys) {

@@ -11,18 +11,31 @@ namespace foverig {
 
 struct DisplaySettings {
     std::string kind = "virtual";
-    double rate_hz = 75.0;          ///< DK2 (DEVICES.md 2.3)
+    double rate_hz = 75.0;  ///< DK2 (DEVICES.md 2.3)
     int eyes = 2;
-    int eye_width_px = 1182;        ///< DK2 at density 1 (DEVICES.md 2.2)
+    int eye_width_px = 1182;  ///< DK2 at density 1 (DEVICES.md 2.2)
     int eye_height_px = 1464;
-    bool distortion = true;         ///< lens distortion with chromatic correction as a pass
-    std::string pacing = "vsync";   ///< vsync: begin a frame at a VSync; free: as soon as possible
+    bool distortion = true;        ///< lens distortion with chromatic correction as a pass
+    std::string pacing = "vsync";  ///< vsync: begin a frame at a VSync; free: as soon as possible
 };
 
+/// Places are in the file's coordinates, in metres.
 struct CameraSettings {
-    std::string path = "scene";        ///< scene: fly the scene's own path; still: stand
-    std::vector<double> position_m;    ///< where to stand; empty: the first key of the scene's path
-    std::vector<double> target_m;      ///< where to look
+    std::string path =
+        "scene";  ///< scene: fly the scene's own path; keys: fly keys_m; still: stand
+    std::vector<double> position_m;  ///< where to stand; empty: the first key of the scene's path
+    std::vector<double> target_m;    ///< where to look
+    std::vector<double> keys_m;      ///< position and target of each key, six numbers a key
+    double one_way_s = 0.0;          ///< time of one flight; 0: the scene's
+};
+
+/// Lights beside the scene's own, in the file's coordinates, in metres.
+struct LightSettings {
+    bool keep = true;              ///< false: leave the scene's own lights out
+    std::vector<double> points_m;  ///< three numbers a light
+    double point_intensity = 1.0;  ///< W/sr of each
+    std::vector<double> areas_m;   ///< corner, edge, edge: nine numbers a light
+    double area_radiance = 1.0;
 };
 
 struct MotionSettings {
@@ -30,29 +43,30 @@ struct MotionSettings {
     std::string gaze = "scan";
 };
 
-inline constexpr std::size_t kMostKeptFrames = 24;    ///< they are held in memory: 42 MB each
+inline constexpr std::size_t kMostKeptFrames = 24;  ///< they are held in memory: 42 MB each
 
 struct ImageSettings {
-    int count = 3;                       ///< frames to keep images of, spread over the run
-    std::vector<std::int64_t> frames;    ///< exactly these instead
-    bool error = true;                   ///< render them again in full and show the difference
+    int count = 3;                     ///< frames to keep images of, spread over the run
+    std::vector<std::int64_t> frames;  ///< exactly these instead
+    bool error = true;                 ///< render them again in full and show the difference
 };
 
 inline constexpr std::int64_t kDefaultFrames = 90;
 
 struct Scenario {
     std::string scene = "atrium";
-    double scene_scale = 1.0;        ///< metres per unit of the file
-    double scene_detail = 1.0;       ///< triangle count of a built-in scene, relative
+    double scene_scale = 1.0;   ///< metres per unit of the file
+    double scene_detail = 1.0;  ///< triangle count of a built-in scene, relative
     std::string devices = "sim";
     std::string clock = "lockstep";
     std::string cost = "measured";
-    std::int64_t frames = 0;         ///< 0: until `seconds`; both 0: kDefaultFrames
-    double seconds = 0.0;            ///< of the run's clock; 0: until `frames`
-    double settle_s = 0.5;           ///< devices run this long before the first frame
+    std::int64_t frames = 0;  ///< 0: until `seconds`; both 0: kDefaultFrames
+    double seconds = 0.0;     ///< of the run's clock; 0: until `frames`
+    double settle_s = 0.5;    ///< devices run this long before the first frame
     bool recording = false;
     DisplaySettings display;
     CameraSettings camera;
+    LightSettings lights;
     MotionSettings motion;
     ImageSettings images;
     FaultSettings faults;

@@ -49,10 +49,12 @@ Key fault_key(const FaultInfo& fault) {
 }  // namespace
 
 void add_motion_keys(std::vector<Key>& keys) {
-    keys.push_back(motion_key("motion.head", motion::head_motions(), "how the head moves",
-                              [](auto& s) -> auto& { return s.motion.head; }));
-    keys.push_back(motion_key("motion.gaze", motion::eye_motions(), "how the eyes move in the head",
-                              [](auto& s) -> auto& { return s.motion.gaze; }));
+    keys.push_back(motion_key(
+        "motion.head", motion::head_motions(), "how the head moves",
+        [](auto& s) -> auto& { return s.motion.head; }));
+    keys.push_back(motion_key(
+        "motion.gaze", motion::eye_motions(), "how the eyes move in the head",
+        [](auto& s) -> auto& { return s.motion.gaze; }));
 }
 
 void add_fault_keys(std::vector<Key>& keys) {

@@ -90,28 +90,30 @@ std::optional<KeyValue> value_from_toml(const toml::node& node, KeyType type) {
 }
 
 std::string toml_literal(const KeyValue& value) {
-    return std::visit(
-        Overloaded{
-            [](bool flag) { return std::string(flag ? "true" : "false"); },
-            [](std::int64_t integer) { return fmt::format("{}", integer); },
-            [](double number) { return number_literal(number); },
-            [](const std::string& text) { return text_literal(text); },
-            [](const std::vector<double>& numbers) {
-                std::vector<std::string> literals;
-                for (const double number : numbers) literals.push_back(number_literal(number));
-                return fmt::format("[{}]", fmt::join(literals, ", "));
-            },
-            [](const std::vector<std::int64_t>& integers) {
-                return fmt::format("[{}]", fmt::join(integers, ", "));
-            },
-        },
-        value);
+    return std::visit(Overloaded{
+                          [](bool flag) { return std::string(flag ? "true" : "false"); },
+                          [](std::int64_t integer) { return fmt::format("{}", integer); },
+                          [](double number) { return number_literal(number); },
+                          [](const std::string& text) { return text_literal(text); },
+                          [](const std::vector<double>& numbers) {
+                              std::vector<std::string> literals;
+                              for (const double number : numbers)
+                                  literals.push_back(number_literal(number));
+                              return fmt::format("[{}]", fmt::join(literals, ", "));
+                          },
+                          [](const std::vector<std::int64_t>& integers) {
+                              return fmt::format("[{}]", fmt::join(integers, ", "));
+                          },
+                      },
+                      value);
 }
 
 std::string described(const toml::node& node) {
     if (const auto* text = node.as_string()) return "text " + text_literal(text->get());
-    if (const auto* integer = node.as_integer()) return fmt::format("the whole number {}", integer->get());
-    if (const auto* number = node.as_floating_point()) return fmt::format("the number {}", number->get());
+    if (const auto* integer = node.as_integer())
+        return fmt::format("the whole number {}", integer->get());
+    if (const auto* number = node.as_floating_point())
+        return fmt::format("the number {}", number->get());
     if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
     if (node.is_array()) return "an array";
     if (node.is_table()) return "a table";

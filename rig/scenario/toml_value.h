@@ -1,8 +1,8 @@
 #pragma once
 // Between TOML nodes and the values of the key table.
+#include <toml++/toml.h>
 #include <optional>
 #include <string>
-#include <toml++/toml.h>
 
 #include "rig/scenario/keys.h"
 

@@ -17,7 +17,7 @@ std::string table_of(const std::string& name) {
 }
 
 std::string leaf_of(const std::string& name) {
-    return name.substr(name.rfind('.') + 1);    // npos + 1 == 0
+    return name.substr(name.rfind('.') + 1);  // npos + 1 == 0
 }
 
 }  // namespace

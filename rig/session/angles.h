@@ -5,7 +5,9 @@
 
 namespace foverig {
 
-inline double degrees(double rad) { return glm::degrees(rad); }
+inline double degrees(double rad) {
+    return glm::degrees(rad);
+}
 
 /// Between two unit directions; accurate for small angles too.
 inline double angle_deg(const dvec3& a, const dvec3& b) {

@@ -15,7 +15,10 @@ dvec3 between(const dvec3& p0, const dvec3& p1, const dvec3& p2, const dvec3& p3
                   (3.0 * p1 - p0 - 3.0 * p2 + p3) * (u * u * u));
 }
 
-dvec3 point_of(const std::vector<double>& xyz) { return {xyz[0], xyz[1], xyz[2]}; }
+/// The `i`-th point of a list of x, y, z in file coordinates, in the scene's.
+vec3 point_of(const std::vector<double>& xyz, std::size_t i, const Scene& scene) {
+    return vec3(dvec3(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]) - scene.origin_m);
+}
 
 Stand looking(const dvec3& position_m, const dvec3& target_m) {
     const dvec3 way = target_m - position_m;
@@ -31,11 +34,19 @@ Stand looking(const dvec3& position_m, const dvec3& target_m) {
 CameraFlight::CameraFlight(const CameraSettings& settings, const Scene& scene)
     : keys_(scene.camera_path), one_way_s_(std::max(1e-3, double{scene.camera_path_s})) {
     RIG_CHECK(!keys_.empty(), "a scene has at least one camera key");
-    if (settings.path != "still") return;
-    keys_.resize(1);
-    if (!settings.position_m.empty()) {
-        keys_[0] = {vec3(point_of(settings.position_m) - scene.origin_m),
-                    vec3(point_of(settings.target_m) - scene.origin_m)};
+    if (settings.one_way_s > 0.0) one_way_s_ = settings.one_way_s;
+    if (settings.path == "keys") {
+        keys_.clear();
+        for (std::size_t i = 0; 6 * i < settings.keys_m.size(); ++i) {
+            keys_.push_back({point_of(settings.keys_m, 2 * i, scene),
+                             point_of(settings.keys_m, 2 * i + 1, scene)});
+        }
+    } else if (settings.path == "still") {
+        keys_.resize(1);
+        if (!settings.position_m.empty()) {
+            keys_[0] = {point_of(settings.position_m, 0, scene),
+                        point_of(settings.target_m, 0, scene)};
+        }
     }
 }
 

@@ -15,7 +15,8 @@ struct Stand {
 
 class CameraFlight {
   public:
-    /// The scene's path (`scene`), or the scenario's place or the path's first key (`still`).
+    /// The scene's path (`scene`), the scenario's (`keys`), or the scenario's place or the first
+    /// key of the scene's path (`still`).
     CameraFlight(const CameraSettings& settings, const Scene& scene);
 
     /// There and back along a smooth curve through the keys, once each way in `camera_path_s`;

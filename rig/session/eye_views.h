@@ -10,7 +10,7 @@ namespace foverig {
 
 class EyeViews {
   public:
-    static constexpr double kHalfIpd_m = 0.032;    ///< DEVICES.md 2.1
+    static constexpr double kHalfIpd_m = 0.032;  ///< DEVICES.md 2.1
 
     explicit EyeViews(const DisplaySettings& display) : display_(display) {}
 

@@ -16,7 +16,8 @@ void GazeTracker::read_until(HostTime deadline) {
         filter_.add(*sample);
         if (!first_) first_ = sample->host_time;
         newest_any_ = {sample->host_time, sample->arrival};
-        const bool seen = sample->left.ray.valid || sample->right.ray.valid || sample->combined.valid;
+        const bool seen =
+            sample->left.ray.valid || sample->right.ray.valid || sample->combined.valid;
         if (seen) newest_ = newest_any_;
     }
 }

@@ -21,7 +21,9 @@ class HeadTracker {
 
     Pose predict(HostTime time) const { return fusion_.at(time); }
     const std::optional<SampleInstants>& newest() const { return newest_; }
-    std::vector<dk2::PanelReadback> take_panel_readbacks() { return source_.take_panel_readbacks(); }
+    std::vector<dk2::PanelReadback> take_panel_readbacks() {
+        return source_.take_panel_readbacks();
+    }
     DeviceRecord record() const;
 
   private:

@@ -18,8 +18,7 @@ std::vector<ColourSources> sources_of(Eye eye, const DisplaySettings& display) {
                 const dvec2 tangent = tangents[colour];
                 const double u = (tangent.x + frustum.left) / (frustum.left + frustum.right);
                 const double v = (frustum.up - tangent.y) / (frustum.up + frustum.down);
-                sources[colour] =
-                    vec2(dvec2(u * display.eye_width_px, v * display.eye_height_px));
+                sources[colour] = vec2(dvec2(u * display.eye_width_px, v * display.eye_height_px));
             }
         }
     }

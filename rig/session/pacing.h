@@ -24,7 +24,7 @@ class Pacing {
     void frame_done(HostTime begin, HostTime present);
 
   private:
-    static constexpr std::size_t kRemembered = 5;    // median: one slow frame does not mislead
+    static constexpr std::size_t kRemembered = 5;  // median: one slow frame does not mislead
 
     bool waits_;
     const Display& display_;

@@ -27,7 +27,7 @@ class RunClock {
 
   private:
     std::unique_ptr<Clock> clock_;
-    ManualClock* manual_ = nullptr;    // into clock_, on lockstep
+    ManualClock* manual_ = nullptr;  // into clock_, on lockstep
     Cost cost_;
     WallClock stopwatch_;
     HostTime work_began_{};

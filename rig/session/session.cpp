@@ -8,7 +8,7 @@ namespace foverig {
 namespace {
 
 constexpr Nanoseconds kSettleStep{10'000'000};
-constexpr Nanoseconds kReadbackTail{60'000'000};    // read-backs come one or two VSyncs late
+constexpr Nanoseconds kReadbackTail{60'000'000};  // read-backs come one or two VSyncs late
 
 constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
 
@@ -22,7 +22,9 @@ std::size_t eye_count(const Scenario& scenario) {
     return static_cast<std::size_t>(scenario.display.eyes);
 }
 
-HostTime mean_of(HostTime a, HostTime b) { return a + (b - a) / 2; }
+HostTime mean_of(HostTime a, HostTime b) {
+    return a + (b - a) / 2;
+}
 
 }  // namespace
 
@@ -122,7 +124,7 @@ void Session::render_frame(FrameRecord& frame, FrameInput& input) {
 }
 
 void Session::present(FrameRecord& frame, HostTime expected_vsync) {
-    clock_.end_work(0.0);    // a fixed cost is the whole frame's: none is left for the distortion
+    clock_.end_work(0.0);  // a fixed cost is the whole frame's: none is left for the distortion
     frame.present = clock_.now();
     FrameOnPanel on_panel{.frame_id = frame.frame};
     if (frame.pose) {
@@ -148,7 +150,8 @@ void Session::show(FrameRecord& frame, const Presentation& shown) {
     const auto before = std::find_if(frames_.rbegin(), frames_.rend(),
                                      [](const FrameRecord& f) { return !f.dropped(); });
     if (before != frames_.rend()) {
-        frame.missed_vsyncs = static_cast<std::uint32_t>(shown.vsync_number - *before->shown_vsync - 1);
+        frame.missed_vsyncs =
+            static_cast<std::uint32_t>(shown.vsync_number - *before->shown_vsync - 1);
     }
 }
 
@@ -164,8 +167,8 @@ void Session::judge(FrameRecord& frame, const FrameInput& input) const {
 
 void Session::match_readbacks() {
     for (const auto& readback : head_.take_panel_readbacks()) {
-        for (const LatencyReading& reading : latency_tester_.read_back(
-                 readback.frame_count, readback.vsync, readback.grey)) {
+        for (const LatencyReading& reading :
+             latency_tester_.read_back(readback.frame_count, readback.vsync, readback.grey)) {
             if (reading.frame_id >= frames_.size()) continue;
             FrameRecord& frame = frames_[reading.frame_id];
             if (frame.pose && !frame.dropped()) {

@@ -19,8 +19,8 @@ namespace foverig {
 
 struct SessionProgress {
     std::uint64_t frames = 0;
-    double share = 0.0;            ///< of the run, 0..1
-    double frame_time_ms = 0.0;    ///< of the last frame
+    double share = 0.0;          ///< of the run, 0..1
+    double frame_time_ms = 0.0;  ///< of the last frame
 };
 
 /// What others may do between two frames; none of it is on the frames' time.
@@ -64,7 +64,7 @@ class Session {
     LatencyTester latency_tester_;
     HostTime start_{};
     std::vector<FrameRecord> frames_;
-    std::array<Pose, 2> poses_;    // of the frame in work, an eye each
+    std::array<Pose, 2> poses_;  // of the frame in work, an eye each
 };
 
 }  // namespace foverig

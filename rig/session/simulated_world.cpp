@@ -27,20 +27,18 @@ std::uint64_t seed_of(const Scenario& scenario, std::uint64_t stream) {
 }  // namespace
 
 SimulatedWorld::SimulatedWorld(const Scenario& scenario, Clock& clock)
-    : head_(motion_or_throw("motion.head", scenario.motion.head,
-                            motion::make_head(scenario.motion.head,
-                                              seed_of(scenario, kHeadStream)))),
+    : head_(
+          motion_or_throw("motion.head", scenario.motion.head,
+                          motion::make_head(scenario.motion.head, seed_of(scenario, kHeadStream)))),
       eyes_(motion_or_throw("motion.gaze", scenario.motion.gaze,
-                            motion::make_eye(scenario.motion.gaze,
-                                             seed_of(scenario, kEyeStream)))),
+                            motion::make_eye(scenario.motion.gaze, seed_of(scenario, kEyeStream)))),
       panel_({.timing = PanelTiming::at(scenario.display.rate_hz),
               .first_vsync = clock.now(),
               .faults = scenario.faults.panel,
               .seed = seed_of(scenario, kPanelStream)}),
-      headset_(clock, *head_,
-               {.faults = scenario.faults.dk2,
-                .seed = seed_of(scenario, kDk2Stream),
-                .panel = &panel_}),
+      headset_(
+          clock, *head_,
+          {.faults = scenario.faults.dk2, .seed = seed_of(scenario, kDk2Stream), .panel = &panel_}),
       gaze_tracker_(clock, *eyes_,
                     {.faults = scenario.faults.gaze, .seed = seed_of(scenario, kGazeStream)}) {}
 

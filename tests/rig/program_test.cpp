@@ -45,7 +45,9 @@ std::string text_of(const fs::path& file) {
 }
 
 /// Without showing the bytes where they differ: images would flood the screen.
-bool same_bytes(const fs::path& a, const fs::path& b) { return text_of(a) == text_of(b); }
+bool same_bytes(const fs::path& a, const fs::path& b) {
+    return text_of(a) == text_of(b);
+}
 
 class ProgramTest : public testing::Test {
   protected:
@@ -58,11 +60,25 @@ class ProgramTest : public testing::Test {
 
     /// A run that takes a moment: a small Cornell box at a fixed cost.
     Outcome small_run(const fs::path& out, std::vector<std::string> more = {}) const {
-        std::vector<std::string> arguments{
-            "run", "--scene", "cornell", "--frames", "4", "--cost", "fixed:10", "--out",
-            (root_ / out).string(), "--set", "display.eye_width_px=96", "--set",
-            "display.eye_height_px=96", "--set", "settle_s=0.05", "--set", "scene_detail=0.2",
-            "--set", "images.frames=[3]"};
+        std::vector<std::string> arguments{"run",
+                                           "--scene",
+                                           "cornell",
+                                           "--frames",
+                                           "4",
+                                           "--cost",
+                                           "fixed:10",
+                                           "--out",
+                                           (root_ / out).string(),
+                                           "--set",
+                                           "display.eye_width_px=96",
+                                           "--set",
+                                           "display.eye_height_px=96",
+                                           "--set",
+                                           "settle_s=0.05",
+                                           "--set",
+                                           "scene_detail=0.2",
+                                           "--set",
+                                           "images.frames=[3]"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return foverig(arguments);
     }
@@ -73,10 +89,10 @@ class ProgramTest : public testing::Test {
 TEST_F(ProgramTest, WritesAWholeRunFolder) {
     const Outcome run = small_run("run", {"--json"});
     ASSERT_EQ(run.code, 0) << run.err;
-    for (const char* file : {"summary.json", "frames.csv", "plan.json", "scenario.toml",
-                             "report.html", "images/frame_000003_left_final.png",
-                             "images/frame_000003_right_sampling.png",
-                             "images/frame_000003_left_error.png", "images/frame_000003_panel.png"}) {
+    for (const char* file :
+         {"summary.json", "frames.csv", "plan.json", "scenario.toml", "report.html",
+          "images/frame_000003_left_final.png", "images/frame_000003_right_sampling.png",
+          "images/frame_000003_left_error.png", "images/frame_000003_panel.png"}) {
         EXPECT_TRUE(fs::exists(root_ / "run" / file)) << file;
     }
     EXPECT_THAT(run.out, HasSubstr("report: "));
@@ -93,22 +109,64 @@ TEST_F(ProgramTest, KeepsThePromiseOfTheSummary) {
     const auto has = [&](const char* pointer) {
         return s.contains(nlohmann::json::json_pointer(pointer));
     };
-    for (const char* key :
-         {"/build/version", "/build/git", "/build/compiler", "/build/flags", "/build/backend",
-          "/build/device", "/host/cpu", "/host/cores", "/host/gpu", "/host/os", "/scenario/scene",
-          "/scenario/foveation/r0_deg", "/plan/0/effect", "/plan/0/on", "/plan/0/because",
-          "/plan/0/passes", "/plan/0/bytes", "/frames/rendered", "/frames/presented",
-          "/frames/dropped", "/frame_time_ms/n", "/frame_time_ms/mean", "/frame_time_ms/min",
-          "/frame_time_ms/p50", "/frame_time_ms/p90", "/frame_time_ms/p99", "/frame_time_ms/max",
-          "/frame_time_ms/p50_ci95", "/pass_time_ms", "/rays/primary", "/rays/shadow", "/rays/ao",
-          "/rays/reflection", "/rays/probe", "/rays/vpl", "/rays/total", "/sampled_pixel_ratio",
-          "/vsync/rate_hz", "/vsync/budget_ms", "/vsync/missed", "/vsync/missed_ratio",
-          "/vsync/utilisation", "/latency_ms/motion_to_photon", "/latency_ms/gaze_to_photon",
-          "/latency_ms/imu_transport", "/latency_ms/gaze_transport",
-          "/latency_ms/motion_to_photon_readback", "/latency_ms/prediction_error_deg",
-          "/devices/dk2/samples", "/devices/dk2/lost", "/devices/dk2/rejected",
-          "/devices/dk2/reconnects", "/devices/gaze/rate_hz", "/memory/backend_bytes",
-          "/memory/peak_rss_bytes", "/numerics/nan", "/numerics/inf", "/numerics/clamped"}) {
+    for (const char* key : {"/build/version",
+                            "/build/git",
+                            "/build/compiler",
+                            "/build/flags",
+                            "/build/backend",
+                            "/build/device",
+                            "/host/cpu",
+                            "/host/cores",
+                            "/host/gpu",
+                            "/host/os",
+                            "/scenario/scene",
+                            "/scenario/foveation/r0_deg",
+                            "/plan/0/effect",
+                            "/plan/0/on",
+                            "/plan/0/because",
+                            "/plan/0/passes",
+                            "/plan/0/bytes",
+                            "/frames/rendered",
+                            "/frames/presented",
+                            "/frames/dropped",
+                            "/frame_time_ms/n",
+                            "/frame_time_ms/mean",
+                            "/frame_time_ms/min",
+                            "/frame_time_ms/p50",
+                            "/frame_time_ms/p90",
+                            "/frame_time_ms/p99",
+                            "/frame_time_ms/max",
+                            "/frame_time_ms/p50_ci95",
+                            "/pass_time_ms",
+                            "/rays/primary",
+                            "/rays/shadow",
+                            "/rays/ao",
+                            "/rays/reflection",
+                            "/rays/probe",
+                            "/rays/vpl",
+                            "/rays/total",
+                            "/sampled_pixel_ratio",
+                            "/vsync/rate_hz",
+                            "/vsync/budget_ms",
+                            "/vsync/missed",
+                            "/vsync/missed_ratio",
+                            "/vsync/utilisation",
+                            "/latency_ms/motion_to_photon",
+                            "/latency_ms/gaze_to_photon",
+                            "/latency_ms/imu_transport",
+                            "/latency_ms/gaze_transport",
+                            "/latency_ms/motion_to_photon_readback",
+                            "/latency_ms/prediction_error_deg",
+                            "/devices/dk2/samples",
+                            "/devices/dk2/lost",
+                            "/devices/dk2/rejected",
+                            "/devices/dk2/reconnects",
+                            "/devices/gaze/rate_hz",
+                            "/memory/backend_bytes",
+                            "/memory/peak_rss_bytes",
+                            "/numerics/nan",
+                            "/numerics/inf",
+                            "/numerics/clamped"}) {
         EXPECT_TRUE(has(key)) << key;
     }
     EXPECT_TRUE(s["host"]["gpu"].is_null());
@@ -127,8 +185,8 @@ TEST_F(ProgramTest, RepeatsByteForByteAtFixedCost) {
 
 TEST_F(ProgramTest, RunsAgainFromItsOwnScenario) {
     ASSERT_EQ(small_run("a").code, 0);
-    const Outcome again = foverig({"run", (root_ / "a/scenario.toml").string(), "--out",
-                                   (root_ / "b").string()});
+    const Outcome again =
+        foverig({"run", (root_ / "a/scenario.toml").string(), "--out", (root_ / "b").string()});
     ASSERT_EQ(again.code, 0) << again.err;
     EXPECT_EQ(text_of(root_ / "a/scenario.toml"), text_of(root_ / "b/scenario.toml"));
     EXPECT_TRUE(same_bytes(root_ / "a/frames.csv", root_ / "b/frames.csv"));
@@ -144,8 +202,8 @@ TEST_F(ProgramTest, MakesTheReportAgainFromTheRecords) {
 }
 
 TEST_F(ProgramTest, ExitsWithOneWhereACheckFails) {
-    const Outcome run = small_run("run", {"--fail-if", "frames.rendered == 4", "--fail-if",
-                                          "vsync.missed > 1000"});
+    const Outcome run =
+        small_run("run", {"--fail-if", "frames.rendered == 4", "--fail-if", "vsync.missed > 1000"});
     EXPECT_EQ(run.code, 1);
     EXPECT_THAT(run.err, HasSubstr("check failed: frames.rendered == 4"));
     EXPECT_TRUE(fs::exists(root_ / "run/summary.json"));
@@ -214,8 +272,9 @@ TEST_F(ProgramTest, ExplainsItself) {
 }
 
 TEST_F(ProgramTest, PlansWithReasonsAndCosts) {
-    const Outcome plan = foverig({"plan", "--scene", "cornell", "--set", "display.eye_width_px=64",
-                                  "--set", "display.eye_height_px=64", "--set", "settle_s=0", "--json"});
+    const Outcome plan =
+        foverig({"plan", "--scene", "cornell", "--set", "display.eye_width_px=64", "--set",
+                 "display.eye_height_px=64", "--set", "settle_s=0", "--json"});
     ASSERT_EQ(plan.code, 0) << plan.err;
     bool measured = false;
     for (const auto& effect : nlohmann::json::parse(plan.out)) {
@@ -223,15 +282,17 @@ TEST_F(ProgramTest, PlansWithReasonsAndCosts) {
         measured = measured || effect["measured_ms"].is_number();
     }
     EXPECT_TRUE(measured);
-    EXPECT_THAT(foverig({"plan", "--scene", "tunnel-maps", "--no-run", "--set",
-                         "lighting.area_samples=0"}).out,
-                HasSubstr("lighting.area_samples is 0"));
+    EXPECT_THAT(
+        foverig({"plan", "--scene", "tunnel-maps", "--no-run", "--set", "lighting.area_samples=0"})
+            .out,
+        HasSubstr("lighting.area_samples is 0"));
 }
 
 // Every scenario that is shipped must at least be understood.
 TEST(ShippedScenarios, AreValid) {
     for (const auto& entry : fs::directory_iterator(FOVERIG_SOURCE_DIR "/docs/scenarios")) {
-        const Outcome plan = foverig({"plan", entry.path().string(), "--no-run", "--scene", "cornell"});
+        const Outcome plan =
+            foverig({"plan", entry.path().string(), "--no-run", "--scene", "cornell"});
         EXPECT_EQ(plan.code, 0) << entry.path() << plan.err;
     }
 }

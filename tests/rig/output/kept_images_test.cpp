@@ -12,7 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-FrameInput input_of(std::uint32_t frame) { return {.frame = frame, .eyes = {EyeInput{}, EyeInput{}}}; }
+FrameInput input_of(std::uint32_t frame) {
+    return {.frame = frame, .eyes = {EyeInput{}, EyeInput{}}};
+}
 
 std::vector<std::uint32_t> kept_of(const Scenario& scenario, std::uint32_t frames) {
     KeptImages images(scenario);
@@ -50,7 +52,8 @@ TEST(KeptImages, KeepsTheLastFrameOfARunThatEndedEarly) {
 }
 
 TEST(KeptImages, WritesWhatIsThereAndNamesIt) {
-    const fs::path folder = fs::path(testing::TempDir()) / ("kept_images_" + std::to_string(getpid()));
+    const fs::path folder =
+        fs::path(testing::TempDir()) / ("kept_images_" + std::to_string(getpid()));
     KeptImages images(Scenario{});
     FakeRenderer renderer;
     FakeRenderer full;

@@ -11,7 +11,7 @@ namespace {
 /// 1..n in an order that is not sorted.
 std::vector<double> shuffled(int n) {
     std::vector<double> values;
-    for (int i = 0; i < n; ++i) values.push_back(i * 7919 % n + 1);    // 7919 is prime
+    for (int i = 0; i < n; ++i) values.push_back(i * 7919 % n + 1);  // 7919 is prime
     return values;
 }
 

@@ -16,7 +16,9 @@ nlohmann::json summary() {
             {"latency_ms", {{"gaze_to_photon", nullptr}}}};
 }
 
-bool fails(const std::string& text) { return failure(parse_fail_if(text), summary()).has_value(); }
+bool fails(const std::string& text) {
+    return failure(parse_fail_if(text), summary()).has_value();
+}
 
 TEST(FailIf, ReadsKeyComparisonAndNumber) {
     const FailIf check = parse_fail_if("  vsync.missed_ratio>=1e-2 ");
@@ -36,7 +38,9 @@ TEST(FailIf, KnowsEveryComparison) {
     EXPECT_TRUE(fails("vsync.missed_ratio > -1"));
 }
 
-TEST(FailIf, FindsNamesThatHoldADot) { EXPECT_TRUE(fails("pass_time_ms.trace.primary.p99 > 3")); }
+TEST(FailIf, FindsNamesThatHoldADot) {
+    EXPECT_TRUE(fails("pass_time_ms.trace.primary.p99 > 3"));
+}
 
 TEST(FailIf, FailsOnWhatWasNotMeasured) {
     EXPECT_THAT(failure(parse_fail_if("latency_ms.gaze_to_photon > 50"), summary()).value_or(""),

@@ -11,7 +11,9 @@
 namespace foverig {
 namespace {
 
-HostTime at_ms(double ms) { return HostTime(from_seconds(ms * 1e-3)); }
+HostTime at_ms(double ms) {
+    return HostTime(from_seconds(ms * 1e-3));
+}
 
 FrameRecord shown_frame() {
     FrameRecord f;
@@ -78,7 +80,7 @@ TEST(FramesCsv, LeavesWallTimesOutWhereTheCostIsFixed) {
 
 TEST(FramesCsv, KeepsInstantsExact) {
     FrameRecord f = shown_frame();
-    f.present = HostTime(Nanoseconds(9'007'199'254'740'993));    // 2^53 + 1: no double holds it
+    f.present = HostTime(Nanoseconds(9'007'199'254'740'993));  // 2^53 + 1: no double holds it
     EXPECT_THAT(frames_csv({f}, WallTimes::omit), testing::HasSubstr(",9007199254740993,"));
 }
 

@@ -20,7 +20,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-HostTime at_ms(double ms) { return HostTime(from_seconds(ms * 1e-3)); }
+HostTime at_ms(double ms) {
+    return HostTime(from_seconds(ms * 1e-3));
+}
 
 RunRecord some_run() {
     RunRecord run;
@@ -56,8 +58,8 @@ class ReportTest : public testing::Test {
     void TearDown() override { fs::remove_all(folder_); }
 
     std::string page_of(const RunRecord& run, const nlohmann::json& images) {
-        const nlohmann::json scenario = {{"scene", "a & <b>"}, {"clock", "lockstep"},
-                                         {"cost", "measured"}};
+        const nlohmann::json scenario = {
+            {"scene", "a & <b>"}, {"clock", "lockstep"}, {"cost", "measured"}};
         auto summary = summary_json(run, scenario, BuildInfo{}, HostInfo{}, 1000);
         summary["images"] = images;
         write_text(folder_ / "summary.json", summary.dump());
@@ -70,8 +72,8 @@ class ReportTest : public testing::Test {
 
 TEST_F(ReportTest, AsksNobodyForAnything) {
     write_png(folder_ / "images/a.png", Image{8, 8, std::vector<vec3>(64, vec3(0.5F))});
-    const std::string html = page_of(some_run(), {{{"frame", 3}, {"kind", "final"}, {"eye", "left"},
-                                                   {"file", "images/a.png"}}});
+    const std::string html = page_of(
+        some_run(), {{{"frame", 3}, {"kind", "final"}, {"eye", "left"}, {"file", "images/a.png"}}});
     EXPECT_THAT(html, HasSubstr("src=\"data:image/jpeg;base64,"));
     EXPECT_THAT(html, Not(HasSubstr("http:")));
     EXPECT_THAT(html, Not(HasSubstr("https:")));
@@ -96,7 +98,7 @@ TEST_F(ReportTest, TakesLatencyApartIntoLinksThatAddUp) {
     EXPECT_THAT(html, HasSubstr("render: 8.00 ms"));
     EXPECT_THAT(html, HasSubstr("distort: 1.00 ms"));
     EXPECT_THAT(html, HasSubstr("wait: 4.33 ms"));
-    EXPECT_THAT(html, Not(HasSubstr("<b>gaze to photon</b>")));    // no gaze was measured
+    EXPECT_THAT(html, Not(HasSubstr("<b>gaze to photon</b>")));  // no gaze was measured
 }
 
 TEST_F(ReportTest, SaysWhetherTheRateHolds) {
@@ -124,8 +126,8 @@ TEST_F(ReportTest, StaysSmallHoweverManyImages) {
     write_png(folder_ / "images/noise.png", Image{800, 800, noise});
     nlohmann::json images = nlohmann::json::array();
     for (int i = 0; i < 24; ++i) {
-        images.push_back({{"frame", i}, {"kind", "final"}, {"eye", "left"},
-                          {"file", "images/noise.png"}});
+        images.push_back(
+            {{"frame", i}, {"kind", "final"}, {"eye", "left"}, {"file", "images/noise.png"}});
     }
     EXPECT_LT(page_of(some_run(), images).size(), 6'000'000U);
 }

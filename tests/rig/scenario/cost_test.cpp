@@ -13,8 +13,8 @@ TEST(Cost, IsMeasuredOrFixed) {
 }
 
 TEST(Cost, RefusesAnythingElse) {
-    for (const char* text : {"", "fixed", "fixed:", "fixed:-1", "fixed:1e9", "fixed:nan", "fixed:5ms",
-                             "Measured", "5"}) {
+    for (const char* text : {"", "fixed", "fixed:", "fixed:-1", "fixed:1e9", "fixed:nan",
+                             "fixed:5ms", "Measured", "5"}) {
         EXPECT_FALSE(parse_cost(text).has_value()) << text;
     }
 }

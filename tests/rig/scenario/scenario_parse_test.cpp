@@ -50,7 +50,8 @@ TEST(ScenarioParse, TakesValuesOfEveryType) {
         textures = "off"
         [faults.dk2]
         dropout = 0.25
-    )", "my.toml");
+    )",
+               "my.toml");
     EXPECT_EQ(s.scene, "tunnel-maps");
     EXPECT_EQ(s.frames, 12);
     EXPECT_EQ(s.seconds, 3.0);
@@ -88,6 +89,9 @@ TEST(ScenarioParse, ChecksRanges) {
     EXPECT_THAT(complaint_of("lighting.ao_radius_m = inf\n"), HasSubstr("expected a number"));
     EXPECT_THAT(complaint_of("images.frames = [-1]\n"), HasSubstr("at least 0"));
     EXPECT_THAT(complaint_of("camera.position_m = [1, 2]\n"), HasSubstr("[x, y, z]"));
+    EXPECT_THAT(complaint_of("camera.position_m = [1, 2, 3, 4, 5, 6]\n"), HasSubstr("[x, y, z]"));
+    EXPECT_THAT(complaint_of("lights.areas_m = [1, 2, 3]\n"), HasSubstr("nine numbers a light"));
+    EXPECT_THAT(complaint_of("camera.path = \"keys\"\n"), HasSubstr("belong together"));
     EXPECT_THAT(complaint_of("faults.dk2.dropout = 2\n"), HasSubstr("faults.dk2.dropout"));
 }
 

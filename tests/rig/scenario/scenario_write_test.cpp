@@ -25,7 +25,8 @@ Scenario unusual_scenario() {
         effects.post_process = "off"
         faults.gaze.blink = 14
         faults.panel.vsync_jitter = 12.5
-    )", "test");
+    )",
+               "test");
     return s;
 }
 
@@ -77,11 +78,10 @@ TEST(ScenarioKeys, AcceptTheirOwnDefaults) {
 
 TEST(ScenarioHelp, ListsTheKeysThatOthersRelyOn) {
     const std::string help = scenario_help();
-    for (const char* key : {"scene = ", "pipeline = ", "seed = ", "display.rate_hz = ",
-                            "display.eye_width_px = ", "foveation.p_min = ",
-                            "lighting.area_lights = ", "effects.post_process = ",
-                            "recording.enabled = ", "motion.gaze = ", "camera.target_m = ",
-                            "faults.dk2.noise = "}) {
+    for (const char* key :
+         {"scene = ", "pipeline = ", "seed = ", "display.rate_hz = ", "display.eye_width_px = ",
+          "foveation.p_min = ", "lighting.area_lights = ", "effects.post_process = ",
+          "recording.enabled = ", "motion.gaze = ", "camera.target_m = ", "faults.dk2.noise = "}) {
         EXPECT_THAT(help, testing::HasSubstr(key));
     }
 }

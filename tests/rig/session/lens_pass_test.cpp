@@ -31,7 +31,8 @@ Image panel_of(const Image& left, const Image& right) {
 }
 
 // Straight ahead (tangent 0) lies at tan_left / (tan_left + tan_right) of the image: 1.058657 and
-// 1.092368 for the left eye (DEVICES.md 2.2); on the panel at the lens centre, x = -0.009860 in NDC.
+// 1.092368 for the left eye (DEVICES.md 2.2); on the panel at the lens centre, x = -0.009860 in
+// NDC.
 TEST(LensPass, PutsStraightAheadAtTheLensCentre) {
     const Image panel = panel_of(ramp(400, 500), ramp(400, 500));
     ASSERT_EQ(panel.width_px, 1920);

@@ -100,8 +100,8 @@ TEST(Session, BeginsOneFrameAtEachVsyncEvenAtNoCost) {
     EXPECT_EQ(c.dropped, 0U);
 }
 
-// DEVICES.md 2.3: 27.3 us to the first row, 1920 rows of 1933, right to left, 100 us settle and half
-// of 435 rows of persistence, at 75 Hz.
+// DEVICES.md 2.3: 27.3 us to the first row, 1920 rows of 1933, right to left, 100 us settle and
+// half of 435 rows of persistence, at 75 Hz.
 TEST(Session, PutsPhotonsWhereThePanelScans) {
     const RunRecord r = run(scenario_of(10.0, 3));
     const double row_ms = kPeriod_ms / 1933.0;
@@ -156,8 +156,8 @@ TEST(Session, FollowsAMovingHead) {
         most_deg = std::max(most_deg, *f.prediction_error_deg);
         turned_deg = std::max(turned_deg, glm::degrees(glm::angle(f.world_from_head)));
     }
-    EXPECT_GT(turned_deg, 4.0);    // swings by 5.5 degrees
-    EXPECT_LT(most_deg, 2.0);      // unpredicted, 173 deg/s over 22 ms would be 3.8
+    EXPECT_GT(turned_deg, 4.0);  // swings by 5.5 degrees
+    EXPECT_LT(most_deg, 2.0);    // unpredicted, 173 deg/s over 22 ms would be 3.8
 }
 
 TEST(Session, GivesTheRendererTwoEyesOfADk2) {
@@ -225,8 +225,8 @@ TEST(Session, CountsSamplesAtTheirRates) {
     EXPECT_EQ(r.devices[0].counts.lost, 0U);
 }
 
-// The panel reads its corner pixel back over HID (DEVICES.md 1.7): what it says must agree with what
-// the panel model knows.
+// The panel reads its corner pixel back over HID (DEVICES.md 1.7): what it says must agree with
+// what the panel model knows.
 TEST(Session, AgreesWithThePanelsReadBack) {
     std::size_t read = 0;
     for (const FrameRecord& f : run(scenario_of(10.0, 75)).frames) {

@@ -21,7 +21,9 @@ TEST(Nearest, FindsTheMisspeltWord) {
               "foveation.r0_deg");
 }
 
-TEST(Nearest, IsEmptyWithoutCandidates) { EXPECT_EQ(nearest("x", {}), ""); }
+TEST(Nearest, IsEmptyWithoutCandidates) {
+    EXPECT_EQ(nearest("x", {}), "");
+}
 
 }  // namespace
 }  // namespace foverig
