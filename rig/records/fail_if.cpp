@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "rig/failure.h"
 #include "rig/text/nearest.h"
@@ -13,6 +14,14 @@ namespace foverig {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::array<std::string_view, 6> kComparisons{"<", "<=", ">", ">=", "==", "!="};
+
+std::string trimmed(std::string text) {
+    text.erase(0, text.find_first_not_of(" \t"));
+    text.erase(text.find_last_not_of(" \t") + 1);
+    return text;
+}
 
 void collect_numbers(const json& node, const std::string& path, std::vector<std::string>& paths) {
     if (node.is_object()) {
@@ -48,14 +57,17 @@ bool holds(double value, const std::string& comparison, double bound) {
 }  // namespace
 
 FailIf parse_fail_if(const std::string& text) {
-    static const std::regex pattern(R"(\s*([^\s<>=!]+)\s*(<=|>=|==|!=|<|>)\s*(\S+)\s*)");
-    std::smatch parts;
-    if (std::regex_match(text, parts, pattern)) {
-        const std::string number = parts[3];
-        FailIf check{parts[1], parts[2], 0.0};
+    const auto sign = text.find_first_of("<>=!");
+    const auto after = text.find_first_not_of("<>=!", sign);
+    if (sign != std::string::npos && after != std::string::npos) {
+        FailIf check{trimmed(text.substr(0, sign)), text.substr(sign, after - sign), 0.0};
+        const std::string number = trimmed(text.substr(after));
         const char* const end = number.data() + number.size();
         const auto [stop, error] = std::from_chars(number.data(), end, check.bound);
-        if (error == std::errc{} && stop == end) return check;
+        const bool is_key = !check.key.empty() && check.key.find(' ') == std::string::npos;
+        const bool is_comparison = std::find(kComparisons.begin(), kComparisons.end(),
+                                             check.comparison) != kComparisons.end();
+        if (is_key && is_comparison && error == std::errc{} && stop == end) return check;
     }
     throw UsageError(fmt::format(
         "--fail-if '{}': expected KEY COMPARISON NUMBER, as in 'vsync.missed_ratio > 0.01'", text));

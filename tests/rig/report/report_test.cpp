@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <regex>
-
 #include "renderer/image.h"
 #include "rig/failure.h"
 #include "rig/output/run_folder.h"
@@ -81,8 +79,9 @@ TEST_F(ReportTest, AsksNobodyForAnything) {
     EXPECT_THAT(html, Not(HasSubstr("<link")));
     EXPECT_THAT(html, Not(HasSubstr("url(")));
     EXPECT_THAT(html, Not(HasSubstr("@import")));
-    const std::regex other_source("src=\"(?!data:)");
-    EXPECT_FALSE(std::regex_search(html, other_source));
+    for (auto at = html.find("src="); at != std::string::npos; at = html.find("src=", at + 1)) {
+        EXPECT_EQ(html.compare(at, 10, "src=\"data:"), 0);
+    }
 }
 
 TEST_F(ReportTest, EscapesWhatOthersWrote) {
