@@ -19,20 +19,27 @@ struct MemoryCount {
     std::uint64_t allocations = 0;
 };
 
-/// Large arrays ask for 2 MiB pages: a tile touches 64 rows of each image, more than a TLB holds of 4 KiB.
+/// Large arrays ask for 2 MiB pages: a tile touches 64 rows of each image, more than a TLB holds of
+/// 4 KiB.
 inline constexpr std::size_t kHugePage = std::size_t{2} << 20U;
 
-/// Owned array of plain values, zeroed, at least 64-byte aligned, counted while it lives. Empty until allocated.
+/// Owned array of plain values, zeroed, at least 64-byte aligned, counted while it lives. Empty
+/// until allocated.
 template <class T>
 class Buffer {
     static_assert(std::is_trivially_copyable_v<T>);
 
   public:
     Buffer() = default;
-    Buffer(MemoryCount& count, std::size_t size)
-        : data_(allocate(size), Free{&count, size * sizeof(T)}), size_(size) {
-        if (size == 0) return;
+    Buffer(MemoryCount& count, std::size_t size) : Buffer(count, size, count, 0) {}
+    /// One array whose last `more` elements another count answers for.
+    Buffer(MemoryCount& count, std::size_t size, MemoryCount& more_count, std::size_t more)
+        : data_(allocate(size + more),
+                Free{&count, &more_count, size * sizeof(T), more * sizeof(T)}),
+          size_(size + more) {
+        if (size_ == 0) return;
         count.bytes += size * sizeof(T);
+        more_count.bytes += more * sizeof(T);
         ++count.allocations;
     }
 
@@ -46,7 +53,9 @@ class Buffer {
     View<const T> view() const { return {data_.get(), size_}; }
 
   private:
-    static constexpr std::size_t alignment(std::size_t bytes) { return bytes >= kHugePage ? kHugePage : 64; }
+    static constexpr std::size_t alignment(std::size_t bytes) {
+        return bytes >= kHugePage ? kHugePage : 64;
+    }
 
     static T* allocate(std::size_t size) {
         if (size == 0) return nullptr;
@@ -59,10 +68,13 @@ class Buffer {
 
     struct Free {
         MemoryCount* count = nullptr;
+        MemoryCount* more_count = nullptr;
         std::size_t bytes = 0;
+        std::size_t more_bytes = 0;
         void operator()(T* p) const {
-            ::operator delete[](p, std::align_val_t{alignment(bytes)});
+            ::operator delete[](p, std::align_val_t{alignment(bytes + more_bytes)});
             count->bytes -= bytes;
+            more_count->bytes -= more_bytes;
         }
     };
     std::unique_ptr<T[], Free> data_;

@@ -12,8 +12,8 @@ struct EyeView {
     float tan_right = 1.0F;
     float tan_down = 1.0F;
     float tan_up = 1.0F;
-    vec3 position_m{0.0F};           ///< in the scene frame
-    mat3 world_from_eye{1.0F};       ///< rotation
+    vec3 position_m{0.0F};      ///< in the scene frame
+    mat3 world_from_eye{1.0F};  ///< rotation
 };
 
 /// One eye of one frame. `gaze` is the unit direction of gaze in the eye frame (z < 0).

@@ -13,10 +13,10 @@ struct InternalError : std::logic_error {
 }  // namespace foverig
 
 /// RIG_CHECK(a <= b, "why it must hold"): always on in host code.
-#define RIG_CHECK(condition, ...)                                                          \
-    do {                                                                                   \
-        if (!(condition)) [[unlikely]]                                                     \
-            throw ::foverig::InternalError(fmt::format("{}:{}: {} does not hold: {}",      \
-                                                       __FILE__, __LINE__, #condition,     \
-                                                       fmt::format(__VA_ARGS__)));         \
+#define RIG_CHECK(condition, ...)                                                               \
+    do {                                                                                        \
+        if (!(condition)) [[unlikely]]                                                          \
+            throw ::foverig::InternalError(fmt::format("{}:{}: {} does not hold: {}", __FILE__, \
+                                                       __LINE__, #condition,                    \
+                                                       fmt::format(__VA_ARGS__)));              \
     } while (false)

@@ -14,7 +14,7 @@
 namespace foverig {
 
 struct Half4 {
-    std::uint64_t bits = 0;          ///< x in the low 16 bits, then y, z, w
+    std::uint64_t bits = 0;  ///< x in the low 16 bits, then y, z, w
 };
 
 /// Round to nearest even; beyond 65504 becomes infinity.
@@ -30,7 +30,8 @@ RIG_INLINE Half4 pack_half4(const vec4& v) {
     const __m128i packed = _mm_cvtps_ph(_mm_setr_ps(v.x, v.y, v.z, v.w), _MM_FROUND_TO_NEAREST_INT);
     return {static_cast<std::uint64_t>(_mm_cvtsi128_si64(packed))};
 #else
-    const _Float16 h[4] = {static_cast<_Float16>(v.x), static_cast<_Float16>(v.y), static_cast<_Float16>(v.z), static_cast<_Float16>(v.w)};
+    const _Float16 h[4] = {static_cast<_Float16>(v.x), static_cast<_Float16>(v.y),
+                           static_cast<_Float16>(v.z), static_cast<_Float16>(v.w)};
     Half4 r;
     std::memcpy(&r.bits, h, 8);
     return r;
@@ -53,30 +54,44 @@ RIG_INLINE vec4 unpack_half4(Half4 h) {
 #else
     _Float16 f[4];
     std::memcpy(f, &h.bits, 8);
-    return {static_cast<float>(f[0]), static_cast<float>(f[1]), static_cast<float>(f[2]), static_cast<float>(f[3])};
+    return {static_cast<float>(f[0]), static_cast<float>(f[1]), static_cast<float>(f[2]),
+            static_cast<float>(f[3])};
 #endif
 }
 
 /// Four channels in one register, with + - * by number and by another.
 #if defined(__F16C__) && !defined(__CUDACC__)
 using Quad = float __attribute__((vector_size(16)));
-RIG_INLINE Quad unpack_quad(const Half4& h) { return Quad(_mm_cvtph_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&h)))); }
-RIG_INLINE vec4 to_vec4(Quad q) { return {q[0], q[1], q[2], q[3]}; }
+RIG_INLINE Quad unpack_quad(const Half4& h) {
+    return Quad(_mm_cvtph_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&h))));
+}
+RIG_INLINE vec4 to_vec4(Quad q) {
+    return {q[0], q[1], q[2], q[3]};
+}
 #else
 using Quad = vec4;
-RIG_INLINE Quad unpack_quad(const Half4& h) { return unpack_half4(h); }
-RIG_INLINE vec4 to_vec4(const Quad& q) { return q; }
+RIG_INLINE Quad unpack_quad(const Half4& h) {
+    return unpack_half4(h);
+}
+RIG_INLINE vec4 to_vec4(const Quad& q) {
+    return q;
+}
 #endif
 
-/// Mean of kTaps texels whose indices lie `stride` apart: the four channels go through one register.
+/// Mean of kTaps texels whose indices lie `stride` apart: the four channels go through one
+/// register.
 template <int kTaps>
 RIG_INLINE Half4 mean_half4(const Half4* image, const int* indices, int stride) {
 #if defined(__F16C__) && !defined(__CUDACC__)
-    const auto texel = [&](int k) { return _mm_cvtph_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(image + indices[k * stride]))); };
+    const auto texel = [&](int k) {
+        return _mm_cvtph_ps(
+            _mm_loadl_epi64(reinterpret_cast<const __m128i*>(image + indices[k * stride])));
+    };
     __m128 sum = texel(0);
     for (int k = 1; k < kTaps; ++k) sum = _mm_add_ps(sum, texel(k));
     if constexpr (kTaps > 1) sum = _mm_mul_ps(sum, _mm_set1_ps(1.0F / kTaps));
-    return {static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_cvtps_ph(sum, _MM_FROUND_TO_NEAREST_INT)))};
+    return {static_cast<std::uint64_t>(
+        _mm_cvtsi128_si64(_mm_cvtps_ph(sum, _MM_FROUND_TO_NEAREST_INT)))};
 #else
     vec4 sum{0.0F};
     for (int k = 0; k < kTaps; ++k) sum += unpack_half4(image[indices[k * stride]]);

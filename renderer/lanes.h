@@ -13,12 +13,22 @@ inline constexpr int kLanes = 1;
 using Lanes = float;
 using LaneMask = bool;
 
-RIG_INLINE Lanes load_lanes(const float* p) { return *p; }
-RIG_INLINE void store_lanes(float* p, Lanes v) { *p = v; }
-RIG_INLINE Lanes lane_indices() { return 0.0F; }
+RIG_INLINE Lanes load_lanes(const float* p) {
+    return *p;
+}
+RIG_INLINE void store_lanes(float* p, Lanes v) {
+    *p = v;
+}
+RIG_INLINE Lanes lane_indices() {
+    return 0.0F;
+}
 using LaneInts = int;
-RIG_INLINE LaneInts truncate_lanes(Lanes v) { return static_cast<int>(v); }
-RIG_INLINE void store_lanes(int* p, LaneInts v) { *p = v; }
+RIG_INLINE LaneInts truncate_lanes(Lanes v) {
+    return static_cast<int>(v);
+}
+RIG_INLINE void store_lanes(int* p, LaneInts v) {
+    *p = v;
+}
 
 #else
 
@@ -31,11 +41,19 @@ RIG_INLINE Lanes load_lanes(const float* p) {
     std::memcpy(&v, p, sizeof v);
     return v;
 }
-RIG_INLINE void store_lanes(float* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
-RIG_INLINE Lanes lane_indices() { return Lanes{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F}; }
+RIG_INLINE void store_lanes(float* p, Lanes v) {
+    std::memcpy(p, &v, sizeof v);
+}
+RIG_INLINE Lanes lane_indices() {
+    return Lanes{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F};
+}
 using LaneInts = LaneMask;
-RIG_INLINE LaneInts truncate_lanes(Lanes v) { return __builtin_convertvector(v, LaneInts); }
-RIG_INLINE void store_lanes(int* p, LaneInts v) { std::memcpy(p, &v, sizeof v); }
+RIG_INLINE LaneInts truncate_lanes(Lanes v) {
+    return __builtin_convertvector(v, LaneInts);
+}
+RIG_INLINE void store_lanes(int* p, LaneInts v) {
+    std::memcpy(p, &v, sizeof v);
+}
 
 #endif
 
@@ -45,7 +63,7 @@ RIG_INLINE LaneInts ceil_lanes(Lanes v) {
 #if defined(__CUDACC__)
     return whole + (static_cast<Lanes>(whole) < v ? 1 : 0);
 #else
-    return whole - (__builtin_convertvector(whole, Lanes) < v);      // a true lane is -1
+    return whole - (__builtin_convertvector(whole, Lanes) < v);  // a true lane is -1
 #endif
 }
 
@@ -59,8 +77,14 @@ RIG_INLINE Lanes sqrt_lanes(Lanes v) {
 #endif
 }
 
-RIG_INLINE Lanes select_lanes(LaneMask mask, Lanes a, Lanes b) { return mask ? a : b; }
-RIG_INLINE Lanes min_lanes(Lanes a, Lanes b) { return a < b ? a : b; }
-RIG_INLINE Lanes max_lanes(Lanes a, Lanes b) { return a > b ? a : b; }
+RIG_INLINE Lanes select_lanes(LaneMask mask, Lanes a, Lanes b) {
+    return mask ? a : b;
+}
+RIG_INLINE Lanes min_lanes(Lanes a, Lanes b) {
+    return a < b ? a : b;
+}
+RIG_INLINE Lanes max_lanes(Lanes a, Lanes b) {
+    return a > b ? a : b;
+}
 
 }  // namespace foverig

@@ -5,8 +5,8 @@
 
 namespace foverig {
 
-/// Time and rays by launch name, summed over one frame. Names are string literals, compared by address
-/// first: one table a thread, merged at the frame's end.
+/// Time and rays by launch name, summed over one frame. Names are string literals, compared by
+/// address first: one table a thread, merged at the frame's end.
 class PassTable {
   public:
     struct Entry {

@@ -17,16 +17,16 @@
 namespace foverig {
 
 struct FrameInput {
-    std::uint32_t frame = 0;             ///< 0, 1, 2, ...; a jump drops the history's age, not the history
-    double time_s = 0.0;                 ///< where moving parts stand
-    std::vector<EyeInput> eyes;          ///< one or two
+    std::uint32_t frame = 0;     ///< 0, 1, 2, ...; a jump drops the history's age, not the history
+    double time_s = 0.0;         ///< where moving parts stand
+    std::vector<EyeInput> eyes;  ///< one or two
 };
 
 struct FrameStats {
-    double render_ms = 0.0;              ///< wall time of render(), all eyes
+    double render_ms = 0.0;  ///< wall time of render(), all eyes
     std::vector<PassTime> passes;
     RayCounts rays;
-    std::uint64_t sampled_pixels = 0;    ///< pixels that got a primary ray
+    std::uint64_t sampled_pixels = 0;  ///< pixels that got a primary ray
     std::uint64_t all_pixels = 0;
     NumericCounts numerics;
 };
@@ -51,7 +51,8 @@ class Renderer {
 };
 
 /// Throws std::invalid_argument for an unknown pipeline or backend, naming the known ones.
-std::unique_ptr<Renderer> make_renderer(std::shared_ptr<const Scene> scene, const RenderSettings& settings);
+std::unique_ptr<Renderer> make_renderer(std::shared_ptr<const Scene> scene,
+                                        const RenderSettings& settings);
 
 std::vector<std::string> pipeline_names();
 std::vector<std::string> backend_names();

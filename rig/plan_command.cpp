@@ -27,6 +27,9 @@ ExitCode plan_command(const PlanRequest& request) {
         Session(scenario, *scene, *renderer, open_lens(scenario).get()).run(SessionHooks{});
     const auto plan = plan_json(renderer->plan().effects());
     fmt::print("{}", request.json ? plan.dump() + "\n" : plan_text(plan));
+    if (request.measure && !request.json)
+        fmt::print("memory of the backend  {:.4g} MB: the effects' and what every plan needs\n",
+                   static_cast<double>(renderer->backend_bytes()) * 1e-6);
     return ExitCode::good;
 }
 

@@ -13,6 +13,12 @@ std::string number(const json& value, const char* unit = "") {
     return value.is_number() ? fmt::format("{:.4g}{}", value.get<double>(), unit) : "-";
 }
 
+std::string megabytes(const json& bytes) {
+    if (!bytes.is_number()) return "-";
+    const double count = bytes.get<double>();
+    return count == 0.0 ? "none of its own" : fmt::format("{:.3g} MB", count * 1e-6);
+}
+
 std::string spread(const json& d, const char* unit) {
     if (!d.is_object()) return "not measured";
     return fmt::format("p50 {}  p99 {}  max {}", number(d["p50"], unit), number(d["p99"], unit),
@@ -61,9 +67,9 @@ std::string plan_text(const json& plan) {
             passes += (passes.empty() ? "" : ", ") + pass.get<std::string>();
         }
         text +=
-            fmt::format("{:<23} passes: {}; {:.1f} MB an eye; {} a frame\n", "",
-                        passes.empty() ? "none of its own" : passes,
-                        effect["bytes"].get<double>() * 1e-6, number(effect["measured_ms"], " ms"));
+            fmt::format("{:<23} passes: {}; memory: {}; {} a frame\n", "",
+                        passes.empty() ? "none of its own" : passes, megabytes(effect["bytes"]),
+                        number(effect["measured_ms"], " ms"));
     }
     return text;
 }

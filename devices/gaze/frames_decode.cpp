@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "devices/gaze/crc32.h"
+#include "devices/crc32.h"
 #include "devices/gaze/detail/fields.h"
 #include "devices/gaze/frames.h"
 

@@ -1,4 +1,4 @@
-#include "devices/gaze/crc32.h"
+#include "devices/crc32.h"
 #include "devices/gaze/detail/fields.h"
 #include "devices/gaze/frames.h"
 

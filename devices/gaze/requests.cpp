@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "devices/gaze/crc32.h"
+#include "devices/crc32.h"
 #include "devices/gaze/detail/fields.h"
 
 namespace foverig::gaze {

@@ -14,47 +14,59 @@ struct Finding {
 };
 
 Finding textures(const Scene& scene) {
-    const auto used = std::count_if(scene.materials.begin(), scene.materials.end(),
-                                    [](const Material& m) { return m.diffuse_texture >= 0 || m.emission_texture >= 0; });
+    const auto used = std::count_if(
+        scene.materials.begin(), scene.materials.end(),
+        [](const Material& m) { return m.diffuse_texture >= 0 || m.emission_texture >= 0; });
     const bool on = used > 0 && !scene.textures.empty() && !scene.texcoords.empty();
-    return {on, on ? fmt::format("{} of {} materials have a texture", used, scene.materials.size()) : "no material has a texture"};
+    return {on, on ? fmt::format("{} of {} materials have a texture", used, scene.materials.size())
+                   : "no material has a texture"};
 }
 
 Finding alpha_mask(const Scene& scene) {
     std::size_t triangles = 0;
     for (const Part& part : scene.parts) triangles += part.alpha_masked ? part.triangle_count : 0U;
-    return {triangles > 0, triangles > 0 ? fmt::format("{} triangles have transparent texels", triangles) : "no triangle has a transparent texel"};
+    return {triangles > 0, triangles > 0
+                               ? fmt::format("{} triangles have transparent texels", triangles)
+                               : "no triangle has a transparent texel"};
 }
 
 Finding point_light(const Scene& scene, const LightingSettings& s) {
     if (!s.point_lights) return {false, "lighting.point_lights is off"};
     const std::size_t n = scene.point_lights.size();
-    return {n > 0, n > 0 ? fmt::format("the scene has {} point light{}", n, n == 1 ? "" : "s") : "the scene has no point light"};
+    return {n > 0, n > 0 ? fmt::format("the scene has {} point light{}", n, n == 1 ? "" : "s")
+                         : "the scene has no point light"};
 }
 
 Finding area_light(const Scene& scene, const LightingSettings& s) {
     if (!s.area_lights) return {false, "lighting.area_lights is off"};
     if (s.area_samples <= 0) return {false, "lighting.area_samples is 0"};
     const std::size_t n = scene.area_lights.size();
-    return {n > 0, n > 0 ? fmt::format("the scene has {} area light{}, {} samples each", n, n == 1 ? "" : "s", s.area_samples) : "the scene has no area light"};
+    return {n > 0, n > 0 ? fmt::format("the scene has {} area light{}, {} samples each", n,
+                                       n == 1 ? "" : "s", s.area_samples)
+                         : "the scene has no area light"};
 }
 
 Finding ambient_occlusion(const Scene& scene, const LightingSettings& s) {
     if (s.ao_samples <= 0) return {false, "lighting.ao_samples is 0"};
     const bool lit = scene.ambient.x + scene.ambient.y + scene.ambient.z > 0.0F;
-    return {lit, lit ? fmt::format("lighting.ao_samples is {} and the scene has ambient light", s.ao_samples) : "the scene has no ambient light to occlude"};
+    return {lit, lit ? fmt::format("lighting.ao_samples is {} and the scene has ambient light",
+                                   s.ao_samples)
+                     : "the scene has no ambient light to occlude"};
 }
 
 Finding moving_geometry(const Scene& scene) {
-    const auto n = std::count_if(scene.parts.begin(), scene.parts.end(), [](const Part& p) { return p.motion >= 0; });
-    return {n > 0, n > 0 ? fmt::format("{} of {} parts move", n, scene.parts.size()) : "nothing in the scene moves"};
+    const auto n = std::count_if(scene.parts.begin(), scene.parts.end(),
+                                 [](const Part& p) { return p.motion >= 0; });
+    return {n > 0, n > 0 ? fmt::format("{} of {} parts move", n, scene.parts.size())
+                         : "nothing in the scene moves"};
 }
 
 }  // namespace
 
 const std::vector<std::string>& effect_names() {
-    static const std::vector<std::string> names = {"textures",     "alpha_mask",      "point_light",  "area_light",   "ambient_occlusion",
-                                                   "light_buffer", "moving_geometry", "reprojection", "oversampling", "post_process"};
+    static const std::vector<std::string> names = {
+        "textures",     "alpha_mask",      "point_light",  "area_light",   "ambient_occlusion",
+        "light_buffer", "moving_geometry", "reprojection", "oversampling", "post_process"};
     return names;
 }
 
@@ -62,9 +74,13 @@ EffectPlan::EffectPlan(const Scene& scene, const RenderSettings& settings) {
     for (const auto& [name, value] : settings.effects) {
         const auto& known = effect_names();
         if (std::find(known.begin(), known.end(), name) == known.end())
-            throw std::invalid_argument(fmt::format("effects.{}: no such effect; known are {}", name, fmt::join(known, ", ")));
+            throw std::invalid_argument(fmt::format("effects.{}: no such effect; known are {}",
+                                                    name, fmt::join(known, ", ")));
         if (value != "auto" && value != "off")
-            throw std::invalid_argument(fmt::format("effects.{} = \"{}\": expected \"auto\" or \"off\"; an effect that the scene does not call for cannot be forced", name, value));
+            throw std::invalid_argument(
+                fmt::format("effects.{} = \"{}\": expected \"auto\" or \"off\"; an effect that the "
+                            "scene does not call for cannot be forced",
+                            name, value));
     }
     const auto add = [&](Finding finding, std::vector<std::string> passes) {
         PlannedEffect e;
@@ -72,8 +88,13 @@ EffectPlan::EffectPlan(const Scene& scene, const RenderSettings& settings) {
         const auto asked = settings.effects.find(e.name);
         const bool refused = asked != settings.effects.end() && asked->second == "off";
         e.on = finding.called_for && !refused;
-        e.because = refused && finding.called_for ? fmt::format("effects.{} is off (else: {})", e.name, finding.because) : finding.because;
-        if (e.on) e.passes = std::move(passes);
+        e.because = refused && finding.called_for
+                        ? fmt::format("effects.{} is off (else: {})", e.name, finding.because)
+                        : finding.because;
+        if (e.on)
+            e.passes = std::move(passes);
+        else
+            e.bytes = 0;
         effects_.push_back(std::move(e));
     };
     const bool reprojects = settings.pipeline == "reprojected";
@@ -83,13 +104,23 @@ EffectPlan::EffectPlan(const Scene& scene, const RenderSettings& settings) {
     add(area_light(scene, settings.lighting), {"shadow_area"});
     add(ambient_occlusion(scene, settings.lighting), {"ambient_occlusion"});
     const bool stochastic = on(Effect::area_light) || on(Effect::ambient_occlusion);
-    add({stochastic, stochastic ? "area light or ambient occlusion is sampled" : "no light is sampled at random"}, {});
+    add({stochastic, stochastic ? "area light or ambient occlusion is sampled"
+                                : "no light is sampled at random"},
+        {});
     add(moving_geometry(scene), {"move_geometry"});
-    add({reprojects, reprojects ? "pipeline is reprojected" : fmt::format("pipeline {} keeps no history", settings.pipeline)},
-        {"reproject_vertices", "reproject_coarse", "mark_resampling", "reproject_raster", "reproject", "cache_update", "merge"});
-    add({settings.reprojection.oversampling, settings.reprojection.oversampling ? "reprojection.oversampling is on" : "reprojection.oversampling is off"}, {});
+    add({reprojects, reprojects ? "pipeline is reprojected"
+                                : fmt::format("pipeline {} keeps no history", settings.pipeline)},
+        {"reproject_vertices", "reproject_coarse", "mark_resampling", "reproject_raster",
+         "reproject", "cache_update", "merge"});
+    add({settings.reprojection.oversampling, settings.reprojection.oversampling
+                                                 ? "reprojection.oversampling is on"
+                                                 : "reprojection.oversampling is off"},
+        {});
     const bool noisy_reuse = reprojects && on(Effect::light_buffer);
-    add({noisy_reuse, noisy_reuse ? "resampled pixels carry light noise that their neighbours do not" : "no light noise next to reused pixels"}, {"post_process"});
+    add({noisy_reuse, noisy_reuse
+                          ? "resampled pixels carry light noise that their neighbours do not"
+                          : "no light noise next to reused pixels"},
+        {"post_process"});
 }
 
 void EffectPlan::record_frame(const std::vector<PassTime>& passes, std::uint64_t frames) {
@@ -97,10 +128,16 @@ void EffectPlan::record_frame(const std::vector<PassTime>& passes, std::uint64_t
         if (effect.passes.empty()) continue;
         double ms = 0.0;
         for (const PassTime& pass : passes)
-            if (std::find(effect.passes.begin(), effect.passes.end(), pass.name) != effect.passes.end()) ms += pass.ms;
+            if (std::find(effect.passes.begin(), effect.passes.end(), pass.name) !=
+                effect.passes.end())
+                ms += pass.ms;
         const double before = effect.measured_ms < 0.0 ? 0.0 : effect.measured_ms;
         effect.measured_ms = before + (ms - before) / static_cast<double>(frames);
     }
+}
+
+void EffectPlan::record_bytes(Effect effect, std::uint64_t bytes) {
+    effects_[static_cast<std::size_t>(effect)].bytes = bytes;
 }
 
 }  // namespace foverig

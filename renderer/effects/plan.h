@@ -2,6 +2,7 @@
 // Only what a scene calls for: computed from the scene and the settings, never from flags that a
 // person must set. Pipelines ask the plan; an effect that is off allocates and launches nothing.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,8 +27,8 @@ enum class Effect {
 };
 
 struct PassTime {
-    std::string name;                    ///< the launch name
-    double ms = 0.0;                     ///< share of the frame's wall time
+    std::string name;  ///< the launch name
+    double ms = 0.0;   ///< share of the frame's wall time
 };
 
 struct PlannedEffect {
@@ -35,7 +36,7 @@ struct PlannedEffect {
     bool on = false;
     std::string because;                 ///< what in the scene or the settings decides it
     std::vector<std::string> passes;     ///< launch names it adds; empty while off
-    std::uint64_t bytes = 0;             ///< backend memory it adds, an eye
+    std::optional<std::uint64_t> bytes;  ///< memory it adds; 0 while off, absent before a frame
     double measured_ms = -1.0;           ///< mean a frame of its passes; < 0: not measured yet
 };
 
@@ -50,6 +51,8 @@ class EffectPlan {
 
     /// Takes the pass times of the `frames`-th frame into each effect's mean cost.
     void record_frame(const std::vector<PassTime>& passes, std::uint64_t frames);
+    /// Takes what is allocated now for that effect, all eyes.
+    void record_bytes(Effect effect, std::uint64_t bytes);
 
   private:
     std::vector<PlannedEffect> effects_;

@@ -10,16 +10,20 @@ namespace foverig {
 /// the view axis, so a ray's t is the view depth in metres.
 struct EyeRays {
     vec3 origin_m{0.0F};
-    vec3 corner{0.0F};               ///< direction of the image's top left corner
-    vec3 step_x{0.0F};               ///< per pixel to the right
-    vec3 step_y{0.0F};               ///< per pixel downward
+    vec3 corner{0.0F};  ///< direction of the image's top left corner
+    vec3 step_x{0.0F};  ///< per pixel to the right
+    vec3 step_y{0.0F};  ///< per pixel downward
 
     EyeRays() = default;
     explicit EyeRays(const EyeView& view)
         : origin_m(view.position_m),
           corner(view.world_from_eye * vec3(-view.tan_left, view.tan_up, -1.0F)),
-          step_x(view.world_from_eye * vec3((view.tan_left + view.tan_right) / static_cast<float>(view.width_px), 0.0F, 0.0F)),
-          step_y(view.world_from_eye * vec3(0.0F, -(view.tan_up + view.tan_down) / static_cast<float>(view.height_px), 0.0F)) {}
+          step_x(view.world_from_eye *
+                 vec3((view.tan_left + view.tan_right) / static_cast<float>(view.width_px), 0.0F,
+                      0.0F)),
+          step_y(view.world_from_eye *
+                 vec3(0.0F, -(view.tan_up + view.tan_down) / static_cast<float>(view.height_px),
+                      0.0F)) {}
 
     /// Through image position (x, y) in pixels; a pixel's centre is at +0.5.
     RIG_HD vec3 direction(float x, float y) const { return corner + x * step_x + y * step_y; }
@@ -35,7 +39,8 @@ struct CameraRays {
         const PackedPixel p = pixels[static_cast<std::size_t>(i)];
         Ray ray;
         ray.origin_m = eye.origin_m;
-        ray.direction = eye.direction(static_cast<float>(pixel_x(p)) + 0.5F + jitter_px.x, static_cast<float>(pixel_y(p)) + 0.5F + jitter_px.y);
+        ray.direction = eye.direction(static_cast<float>(pixel_x(p)) + 0.5F + jitter_px.x,
+                                      static_cast<float>(pixel_y(p)) + 0.5F + jitter_px.y);
         return ray;
     }
 };

@@ -6,16 +6,20 @@
 namespace foverig {
 
 /// The light buffer's share of a surface's colour: kd (E / pi + ambient * openness).
-RIG_INLINE vec3 lit(const vec3& diffuse, const vec3& irradiance, float occlusion, const vec3& ambient, bool occluded) {
+RIG_INLINE vec3 lit(const vec3& diffuse, const vec3& irradiance, float occlusion,
+                    const vec3& ambient, bool occluded) {
     return diffuse * (irradiance * kInversePi + (occluded ? ambient * occlusion : vec3(0.0F)));
 }
 
-/// NaN and infinity are counted and shown black, so that one bad pixel cannot spread through history.
+/// NaN and infinity are counted and shown black, so that one bad pixel cannot spread through
+/// history.
 RIG_INLINE vec3 checked(const vec3& c, NumericCounts& counts) {
     const float sum = c.x + c.y + c.z;
-    if (sum - sum == 0.0F) return c;             // false for NaN and infinity alone
-    if (sum != sum) ++counts.nan;
-    else ++counts.inf;
+    if (sum - sum == 0.0F) return c;  // false for NaN and infinity alone
+    if (sum != sum)
+        ++counts.nan;
+    else
+        ++counts.inf;
     return vec3(0.0F);
 }
 
@@ -39,9 +43,11 @@ struct ComposePixels {
             const int s = static_cast<int>(slot);
             colour = surfaces.get3(Row::colour_r, s);
             if constexpr (kLightBuffer)
-                colour += lit(surfaces.get3(Row::diffuse_r, s), surfaces.get3(Row::irradiance_r, s), surfaces.at(Row::occlusion, s), ambient, kOcclusion);
+                colour += lit(surfaces.get3(Row::diffuse_r, s), surfaces.get3(Row::irradiance_r, s),
+                              surfaces.at(Row::occlusion, s), ambient, kOcclusion);
         }
-        image[static_cast<std::size_t>(pixel_y(p)) * static_cast<std::size_t>(width_px) + pixel_x(p)] = pack_half4(vec4(checked(colour, *numerics), 0.0F));
+        image[static_cast<std::size_t>(pixel_y(p)) * static_cast<std::size_t>(width_px) +
+              pixel_x(p)] = pack_half4(vec4(checked(colour, *numerics), 0.0F));
     }
 };
 

@@ -4,20 +4,22 @@
 
 namespace foverig {
 
-/// One row of an eye's half of the panel: each colour of a pixel is fetched bilinearly from its own place
-/// in the eye's image (DEVICES.md 2.1: three tangents a pixel), black where that place is outside or NaN.
+/// One row of an eye's half of the panel: each colour of a pixel is fetched bilinearly from its own
+/// place in the eye's image (DEVICES.md 2.1: three tangents a pixel), black where that place is
+/// outside or NaN.
 struct DistortRow {
-    const float* source_px;              ///< planes x, y of red, then green, then blue; pixel centres at halves
-    std::size_t plane;                   ///< entries of one plane: all pixels of the half
-    int width_px;                        ///< of the half
+    const float* source_px;  ///< planes x, y of red, then green, then blue; pixel centres at halves
+    std::size_t plane;       ///< entries of one plane: all pixels of the half
+    int width_px;            ///< of the half
     const vec3* eye;
     int eye_width_px;
     int eye_height_px;
-    vec3* panel;                         ///< the half's top left pixel
+    vec3* panel;  ///< the half's top left pixel
     int panel_stride_px;
 
     RIG_HD void operator()(int y) const {
-        vec3* const out = panel + static_cast<std::size_t>(y) * static_cast<std::size_t>(panel_stride_px);
+        vec3* const out =
+            panel + static_cast<std::size_t>(y) * static_cast<std::size_t>(panel_stride_px);
         draw<0>(y, out);
         draw<1>(y, out);
         draw<2>(y, out);
@@ -25,7 +27,9 @@ struct DistortRow {
 
     template <int kChannel>
     RIG_HD void draw(int y, vec3* out) const {
-        const float* const source_x = source_px + 2 * kChannel * plane + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px);
+        const float* const source_x =
+            source_px + 2 * kChannel * plane +
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px);
         const float* const source_y = source_x + plane;
         const float* const texels = &eye->x + kChannel;
         const int columns = eye_width_px;
@@ -56,7 +60,8 @@ struct DistortRow {
         }
         // Apart, so that the loop above has no branch and gathers in vectors.
         for (int x = 0; x < n; ++x) {
-            const bool inside = (source_x[x] >= 0.0F) & (source_x[x] <= width) & (source_y[x] >= 0.0F) & (source_y[x] <= height);
+            const bool inside = (source_x[x] >= 0.0F) & (source_x[x] <= width) &
+                                (source_y[x] >= 0.0F) & (source_y[x] <= height);
             if (!inside) (&out->x)[3 * x + kChannel] = 0.0F;
         }
     }

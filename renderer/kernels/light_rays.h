@@ -14,7 +14,8 @@ inline constexpr float kInversePi = 0.318309886184F;
 /// Share of the way to a light that a shadow ray covers: it must end before the lamp's own surface.
 inline constexpr float kShadowReach = 1.0F - 0x1.0p-12F;
 
-/// Squared distance below which a light counts as being there: a micrometre, so that 1/d^2 stays finite.
+/// Squared distance below which a light counts as being there: a micrometre, so that 1/d^2 stays
+/// finite.
 inline constexpr float kNearestLight2_m2 = 1.0e-12F;
 
 /// Written number by number: copies of whole vectors keep a loop over lanes from being vectorised.
@@ -49,10 +50,13 @@ struct PointLightRays {
 struct StoreVisible {
     Surfaces surfaces;
 
-    RIG_HD void operator()(int slot, float visible) const { surfaces.at(Row::visible, slot) = visible; }
+    RIG_HD void operator()(int slot, float visible) const {
+        surfaces.at(Row::visible, slot) = visible;
+    }
 };
 
-/// Adds a point light where it is visible. Phong: kd/pi cos + ks cos^n of the mirrored direction, times intensity over distance squared.
+/// Adds a point light where it is visible. Phong: kd/pi cos + ks cos^n of the mirrored direction,
+/// times intensity over distance squared.
 struct AddPointLight {
     Surfaces surfaces;
     PointLight light;
@@ -71,17 +75,19 @@ struct AddPointLight {
             const float lobe = glm::dot(mirrored, surfaces.get3(Row::view_x, slot));
             if (lobe > 0.0F) reflected += specular * powf(lobe, surfaces.at(Row::shininess, slot));
         }
-        surfaces.set3(Row::colour_r, slot, surfaces.get3(Row::colour_r, slot) + reflected * light.intensity * (1.0F / distance2));
+        surfaces.set3(
+            Row::colour_r, slot,
+            surfaces.get3(Row::colour_r, slot) + reflected * light.intensity * (1.0F / distance2));
     }
 };
 
 struct AreaLightRays {
     Surfaces surfaces;
-    View<const int> patterns;            ///< of each slot
-    PatternTable points;                 ///< rows: a, b in [0,1)
+    View<const int> patterns;  ///< of each slot
+    PatternTable points;       ///< rows: a, b in [0,1)
     AreaLight light;
-    vec3 light_normal;                   ///< unit
-    float weight_scale;                  ///< area / samples
+    vec3 light_normal;   ///< unit
+    float weight_scale;  ///< area / samples
 
     RIG_HD WeightedRay operator()(int slot, int sample) const {
         const int pattern = patterns[static_cast<std::size_t>(slot)];
@@ -94,8 +100,11 @@ struct AreaLightRays {
         const float z = light.corner_m.z + a * light.edge_u_m.z + b * light.edge_v_m.z - origin.z;
         const float distance2 = max_of(x * x + y * y + z * z, kNearestLight2_m2);
         const float cosine = normal.x * x + normal.y * y + normal.z * z;
-        const float light_cosine = fabsf(light_normal.x * x + light_normal.y * y + light_normal.z * z);
-        return shadow_ray(origin, x, y, z, max_of(cosine, 0.0F) * light_cosine / (distance2 * distance2) * weight_scale);
+        const float light_cosine =
+            fabsf(light_normal.x * x + light_normal.y * y + light_normal.z * z);
+        return shadow_ray(
+            origin, x, y, z,
+            max_of(cosine, 0.0F) * light_cosine / (distance2 * distance2) * weight_scale);
     }
 };
 
@@ -104,19 +113,21 @@ struct AddAreaLight {
     vec3 radiance;
 
     RIG_HD void operator()(int slot, float sum) const {
-        surfaces.set3(Row::irradiance_r, slot, surfaces.get3(Row::irradiance_r, slot) + radiance * sum);
+        surfaces.set3(Row::irradiance_r, slot,
+                      surfaces.get3(Row::irradiance_r, slot) + radiance * sum);
     }
 };
 
 struct OcclusionRays {
     Surfaces surfaces;
     View<const int> patterns;
-    PatternTable directions;             ///< rows: x, y, z of cosine-weighted directions about +z
+    PatternTable directions;  ///< rows: x, y, z of cosine-weighted directions about +z
     float reach_m;
 
     RIG_HD WeightedRay operator()(int slot, int sample) const {
         const int pattern = patterns[static_cast<std::size_t>(slot)];
-        const vec3 local{directions.get(0, pattern, sample), directions.get(1, pattern, sample), directions.get(2, pattern, sample)};
+        const vec3 local{directions.get(0, pattern, sample), directions.get(1, pattern, sample),
+                         directions.get(2, pattern, sample)};
         WeightedRay r;
         r.ray.origin_m = surfaces.get3(Row::origin_x, slot);
         r.ray.direction = frame_about(surfaces.get3(Row::normal_x, slot)).world(local);
@@ -131,7 +142,9 @@ struct StoreOcclusion {
     Surfaces surfaces;
     float inverse_samples;
 
-    RIG_HD void operator()(int slot, float open) const { surfaces.at(Row::occlusion, slot) = open * inverse_samples; }
+    RIG_HD void operator()(int slot, float open) const {
+        surfaces.at(Row::occlusion, slot) = open * inverse_samples;
+    }
 };
 
 }  // namespace foverig

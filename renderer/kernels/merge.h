@@ -4,8 +4,8 @@
 
 namespace foverig {
 
-/// One row of a tile: what the mesh did not cover is filled from the support image (3.4). Such a pixel was
-/// never sampled: rho = 0, so that its first sample replaces it.
+/// One row of a tile: what the mesh did not cover is filled from the support image (3.4). Such a
+/// pixel was never sampled: rho = 0, so that its first sample replaces it.
 template <bool kLightBuffer>
 struct MergeSupport {
     RasterTile tile;
@@ -20,10 +20,14 @@ struct MergeSupport {
     RIG_HD void operator()(int y) const {
         for (int x = 0; x < tile_width; ++x) {
             if (tile.inverse_depth[y * kRasterStride + x] > 0.0F) continue;
-            const std::size_t target = static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x0 + x);
-            to.colour[target] = pack_half4(vec4(vec3(lookup(lookup.support.colour, x0 + x, y0 + y)), 0.0F));
+            const std::size_t target =
+                static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(width_px) +
+                static_cast<std::size_t>(x0 + x);
+            to.colour[target] =
+                pack_half4(vec4(vec3(lookup(lookup.support.colour, x0 + x, y0 + y)), 0.0F));
             to.info[target] = pack_info(0.0F, frame);
-            if constexpr (kLightBuffer) to.light[target] = pack_half4(lookup(lookup.support.light, x0 + x, y0 + y));
+            if constexpr (kLightBuffer)
+                to.light[target] = pack_half4(lookup(lookup.support.light, x0 + x, y0 + y));
         }
     }
 };

@@ -5,10 +5,10 @@
 
 namespace foverig {
 
-/// Light-buffer post-process (Weier 2016 3.5) for the i-th sample of a tile, if it was resampled outside the
-/// fovea: finds the nearest reconstructed neighbour on the axes, samples the window of that size n times,
-/// and lights the pixel with the light of the closest reconstructed pixel found. The fovea keeps its own
-/// light: there the image is promised to equal the full renderer's.
+/// Light-buffer post-process (Weier 2016 3.5) for the i-th sample of a tile, if it was resampled
+/// outside the fovea: finds the nearest reconstructed neighbour on the axes, samples the window of
+/// that size n times, and lights the pixel with the light of the closest reconstructed pixel found.
+/// The fovea keeps its own light: there the image is promised to equal the full renderer's.
 template <bool kOcclusion>
 struct PostProcess {
     Samples samples;
@@ -21,11 +21,15 @@ struct PostProcess {
     int width_px;
     int height_px;
 
-    RIG_HD bool reconstructed(int x, int y) const { return x >= 0 && y >= 0 && x < width_px && y < height_px && !resampled(x, y); }
+    RIG_HD bool reconstructed(int x, int y) const {
+        return x >= 0 && y >= 0 && x < width_px && y < height_px && !resampled(x, y);
+    }
 
     RIG_HD int axis_distance(int x, int y) const {
         for (int d = 1; d <= search_px; ++d)
-            if (reconstructed(x - d, y) || reconstructed(x + d, y) || reconstructed(x, y - d) || reconstructed(x, y + d)) return d;
+            if (reconstructed(x - d, y) || reconstructed(x + d, y) || reconstructed(x, y - d) ||
+                reconstructed(x, y + d))
+                return d;
         return 0;
     }
 
@@ -51,12 +55,16 @@ struct PostProcess {
         for (int k = 0; k < window_samples; ++k) {
             h = hash32(h + 0x9E3779B9U);
             const int span = 2 * window + 1;
-            consider(x - window + static_cast<int>((h & 0xFFFFU) * static_cast<std::uint32_t>(span) >> 16U),
-                     y - window + static_cast<int>((h >> 16U) * static_cast<std::uint32_t>(span) >> 16U));
+            consider(x - window +
+                         static_cast<int>((h & 0xFFFFU) * static_cast<std::uint32_t>(span) >> 16U),
+                     y - window +
+                         static_cast<int>((h >> 16U) * static_cast<std::uint32_t>(span) >> 16U));
         }
         if (from < 0) return;
         const vec4 light = unpack_half4(images.light[from]);
-        const vec3 colour = vec3(unpack_half4(samples.base[i])) + lit(vec3(unpack_half4(samples.diffuse[i])), vec3(light), light.w, ambient, kOcclusion);
+        const vec3 colour =
+            vec3(unpack_half4(samples.base[i])) +
+            lit(vec3(unpack_half4(samples.diffuse[i])), vec3(light), light.w, ambient, kOcclusion);
         const int target = y * width_px + x;
         const float rho = unpack_half4(images.colour[target]).w;
         images.colour[target] = pack_half4(vec4(colour, rho));

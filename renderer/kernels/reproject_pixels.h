@@ -9,22 +9,26 @@ inline constexpr float kWidestFootprint_px = 4.0F;
 /// Pixel (x, y) uses the taps of (x mod 8, y mod 8): a row of eight is one vector load.
 inline constexpr int kTapPeriod = 8;
 
-/// Normally distributed offsets in footprints, drawn anew each frame: [tap][axis][y mod 8][x mod 8].
+/// Normally distributed offsets in footprints, drawn anew each frame: [tap][axis][y mod 8][x mod
+/// 8].
 struct TapTable {
     const float* offsets = nullptr;
 
-    RIG_HD const float* row(int tap, int axis, int y) const { return offsets + ((tap * 2 + axis) * kTapPeriod + y) * kTapPeriod; }
+    RIG_HD const float* row(int tap, int axis, int y) const {
+        return offsets + ((tap * 2 + axis) * kTapPeriod + y) * kTapPeriod;
+    }
 };
 
 /// Image of a frame that later frames reuse. `light` is null without a light buffer.
 struct HistoryImages {
-    Half4* colour = nullptr;                 ///< final colour; w = rho
+    Half4* colour = nullptr;  ///< final colour; w = rho
     CacheInfo* info = nullptr;
-    Half4* light = nullptr;                  ///< irradiance rgb, openness
+    Half4* light = nullptr;  ///< irradiance rgb, openness
 };
 
-/// One row of a tile: colour and cache info of the last frame under the new view. Filtering by a few normally
-/// distributed taps of the pixel's footprint (3.2); uncovered pixels are left to `merge`.
+/// One row of a tile: colour and cache info of the last frame under the new view. Filtering by a
+/// few normally distributed taps of the pixel's footprint (3.2); uncovered pixels are left to
+/// `merge`.
 template <int kTaps, bool kLightBuffer>
 struct ReprojectPixels {
     RasterTile tile;
@@ -49,8 +53,11 @@ struct ReprojectPixels {
             const Lanes depth = one / select_lanes(inverse_depth > zero, inverse_depth, one);
             const Lanes source_x = load_lanes(tile.source_x_w + at) * depth;
             const Lanes source_y = load_lanes(tile.source_y_w + at) * depth;
-            // A magnified pixel still sees one texel; a strongly minified one is a silhouette's smear.
-            const Lanes width = sqrt_lanes(min_lanes(max_lanes(load_lanes(tile.magnification + at), one), zero + kWidestFootprint_px * kWidestFootprint_px));
+            // A magnified pixel still sees one texel; a strongly minified one is a silhouette's
+            // smear.
+            const Lanes width =
+                sqrt_lanes(min_lanes(max_lanes(load_lanes(tile.magnification + at), one),
+                                     zero + kWidestFootprint_px * kWidestFootprint_px));
             for (int k = 0; k < kTaps; ++k) {
                 const Lanes tap_x = source_x + width * load_lanes(taps.row(k, 0, y & 7) + (x & 7));
                 const Lanes tap_y = source_y + width * load_lanes(taps.row(k, 1, y & 7) + (x & 7));
@@ -59,7 +66,9 @@ struct ReprojectPixels {
                 store_lanes(indices[k] + x, row * width_px + column);
             }
         }
-        const std::size_t out = static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x0);
+        const std::size_t out =
+            static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(width_px) +
+            static_cast<std::size_t>(x0);
         const float* const covered = tile.inverse_depth + y * kRasterStride;
         for (int x = 0; x < tile_width; ++x) {
             if (covered[x] <= 0.0F) continue;

@@ -1,6 +1,7 @@
 #pragma once
-// Resampling info (Weier 2016 3.3): where a coarse reprojection of the last frame shows that the mesh or the
-// sampling will fail. Found at the support resolution; a marked cell marks all pixels under it.
+// Resampling info (Weier 2016 3.3): where a coarse reprojection of the last frame shows that the
+// mesh or the sampling will fail. Found at the support resolution; a marked cell marks all pixels
+// under it.
 #include <cstdint>
 
 #include "renderer/kernels/raster.h"
@@ -12,24 +13,25 @@ namespace foverig {
 /// The coarse reprojection: `inverse_depth` 0 where the mesh does not reach.
 struct CoarseView {
     float* inverse_depth = nullptr;
-    float* luminance = nullptr;              ///< square root of luminance clamped to 1: near perceptual steps
-    float* facing = nullptr;                 ///< cosine of geometric normal and direction to the eye
+    float* luminance = nullptr;  ///< square root of luminance clamped to 1: near perceptual steps
+    float* facing = nullptr;     ///< cosine of geometric normal and direction to the eye
     std::uint8_t* marked = nullptr;
     int columns = 0;
     int rows = 0;
 };
 
-/// One row of a coarse tile: depth, luminance and facing of the surface that the last frame saw there.
+/// One row of a coarse tile: depth, luminance and facing of the surface that the last frame saw
+/// there.
 struct ResolveCoarse {
     RasterTile tile;
     CoarseView coarse;
     const Half4* from_colour;
     int width_px;
     int height_px;
-    SupportImages support;                   ///< of the last frame
+    SupportImages support;  ///< of the last frame
     float columns_per_px;
     float rows_per_px;
-    EyeRays eye;                             ///< of the new frame
+    EyeRays eye;  ///< of the new frame
     float eye_px_per_column;
     float eye_px_per_row;
     int x0;
@@ -48,35 +50,43 @@ struct ResolveCoarse {
                 continue;
             }
             const float depth = 1.0F / inverse_depth;
-            const float source_x = min_of(max_of(tile.source_x_w[at] * depth, 0.0F), static_cast<float>(width_px - 1));
-            const float source_y = min_of(max_of(tile.source_y_w[at] * depth, 0.0F), static_cast<float>(height_px - 1));
-            const vec4 colour = unpack_half4(from_colour[static_cast<int>(source_y) * width_px + static_cast<int>(source_x)]);
-            coarse.luminance[target] = sqrtf(min_of(0.2126F * colour.x + 0.7152F * colour.y + 0.0722F * colour.z, 1.0F));
+            const float source_x =
+                min_of(max_of(tile.source_x_w[at] * depth, 0.0F), static_cast<float>(width_px - 1));
+            const float source_y = min_of(max_of(tile.source_y_w[at] * depth, 0.0F),
+                                          static_cast<float>(height_px - 1));
+            const vec4 colour = unpack_half4(
+                from_colour[static_cast<int>(source_y) * width_px + static_cast<int>(source_x)]);
+            coarse.luminance[target] =
+                sqrtf(min_of(0.2126F * colour.x + 0.7152F * colour.y + 0.0722F * colour.z, 1.0F));
             const int column = static_cast<int>(source_x * columns_per_px + 0.5F);
             const int row = static_cast<int>(source_y * rows_per_px + 0.5F);
             const vec3 normal = vec3(unpack_half4(support.normal[row * support.columns + column]));
-            const vec3 view = eye.direction((static_cast<float>(x0 + x) + 0.5F) * eye_px_per_column, (static_cast<float>(y0 + y) + 0.5F) * eye_px_per_row);
+            const vec3 view = eye.direction((static_cast<float>(x0 + x) + 0.5F) * eye_px_per_column,
+                                            (static_cast<float>(y0 + y) + 0.5F) * eye_px_per_row);
             const bool hit = glm::dot(normal, normal) > 0.25F;
-            coarse.facing[target] = hit ? -glm::dot(normal, view) / sqrtf(glm::dot(view, view)) : 1.0F;
+            coarse.facing[target] =
+                hit ? -glm::dot(normal, view) / sqrtf(glm::dot(view, view)) : 1.0F;
         }
     }
 };
 
 /// One row of the coarse view: marks depth steps, luminance steps and grazing surfaces. The paper's
-/// edge_t = max{n.d, 0} < epsilon marks everything if d is the camera's viewing direction and n faces it;
-/// d here points to the eye, so that edge_t is the cosine its text describes.
+/// edge_t = max{n.d, 0} < epsilon marks everything if d is the camera's viewing direction and n
+/// faces it; d here points to the eye, so that edge_t is the cosine its text describes.
 struct MarkResampling {
     CoarseView coarse;
-    float epsilon_depth;                     ///< share of the nearer depth
+    float epsilon_depth;  ///< share of the nearer depth
     float epsilon_luminance;
     float epsilon_grazing;
 
     RIG_HD bool steps(int at, int neighbour) const {
         const float a = coarse.inverse_depth[at];
         const float b = coarse.inverse_depth[neighbour];
-        // |d_a - d_b| > epsilon min(d_a, d_b) in inverse depths; an uncovered cell (0) is infinitely far.
+        // |d_a - d_b| > epsilon min(d_a, d_b) in inverse depths; an uncovered cell (0) is
+        // infinitely far.
         const bool depth = fabsf(a - b) > epsilon_depth * min_of(a, b);
-        return depth | (fabsf(coarse.luminance[at] - coarse.luminance[neighbour]) > epsilon_luminance);
+        return depth |
+               (fabsf(coarse.luminance[at] - coarse.luminance[neighbour]) > epsilon_luminance);
     }
 
     RIG_HD void operator()(int row) const {
@@ -86,7 +96,8 @@ struct MarkResampling {
             const bool right = column + 1 < coarse.columns && steps(at, at + 1);
             const bool above = row > 0 && steps(at, at - coarse.columns);
             const bool below = row + 1 < coarse.rows && steps(at, at + coarse.columns);
-            const bool grazing = coarse.inverse_depth[at] > 0.0F && max_of(coarse.facing[at], 0.0F) < epsilon_grazing;
+            const bool grazing = coarse.inverse_depth[at] > 0.0F &&
+                                 max_of(coarse.facing[at], 0.0F) < epsilon_grazing;
             coarse.marked[at] = static_cast<std::uint8_t>(left | right | above | below | grazing);
         }
     }
@@ -94,12 +105,14 @@ struct MarkResampling {
 
 /// Which coarse cell a pixel lies in.
 struct CoarseLookup {
-    const std::uint8_t* marked = nullptr;    ///< null: nothing is marked (no history yet)
-    const std::int16_t* column_of = nullptr; ///< by pixel column
+    const std::uint8_t* marked = nullptr;     ///< null: nothing is marked (no history yet)
+    const std::int16_t* column_of = nullptr;  ///< by pixel column
     const std::int16_t* row_of = nullptr;
     int columns = 0;
 
-    RIG_HD bool operator()(int x, int y) const { return marked != nullptr && marked[row_of[y] * columns + column_of[x]] != 0; }
+    RIG_HD bool operator()(int x, int y) const {
+        return marked != nullptr && marked[row_of[y] * columns + column_of[x]] != 0;
+    }
 };
 
 }  // namespace foverig

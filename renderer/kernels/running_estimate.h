@@ -8,17 +8,20 @@
 
 namespace foverig {
 
-/// k_t(dt) = min{exp(x0 + (dt - 1)/(t_max - 1) (x1 - x0)), k_max}, x = ln k: the smallest weight of a new
-/// sample when the cached one is dt frames old. t_max = 1 leaves no range: any age weighs k_max.
+/// k_t(dt) = min{exp(x0 + (dt - 1)/(t_max - 1) (x1 - x0)), k_max}, x = ln k: the smallest weight of
+/// a new sample when the cached one is dt frames old. t_max = 1 leaves no range: any age weighs
+/// k_max.
 struct SmallestWeight {
     float log_k_min = 0.0F;
-    float log_slope = 0.0F;                  ///< per frame
+    float log_slope = 0.0F;  ///< per frame
     float k_max = 1.0F;
 
     SmallestWeight() = default;
     SmallestWeight(double k_min, double k_max_, int t_max)
         : log_k_min(static_cast<float>(std::log(t_max > 1 ? k_min : k_max_))),
-          log_slope(t_max > 1 ? static_cast<float>((std::log(k_max_) - std::log(k_min)) / (t_max - 1)) : 0.0F),
+          log_slope(t_max > 1
+                        ? static_cast<float>((std::log(k_max_) - std::log(k_min)) / (t_max - 1))
+                        : 0.0F),
           k_max(static_cast<float>(k_max_)) {}
 
     RIG_HD float operator()(std::uint32_t age_frames) const {
@@ -26,12 +29,16 @@ struct SmallestWeight {
     }
 };
 
-/// Weight of the new sample: alpha' = 1/(rho + 1), but at least k. The paper prints min{alpha', k}; its words
+/// Weight of the new sample: alpha' = 1/(rho + 1), but at least k. The paper prints min{alpha', k};
+/// its words
 /// ("k is the minimum possible weight for the new sample") and Yang et al. ask for the maximum.
 /// rho = 0 (never sampled) gives 1: the new sample alone.
-RIG_INLINE float new_sample_weight(float rho, float k) { return max_of(1.0F / (rho + 1.0F), k); }
+RIG_INLINE float new_sample_weight(float rho, float k) {
+    return max_of(1.0F / (rho + 1.0F), k);
+}
 
-/// Samples a pixel is worth after blending: (alpha^2 + (1 - alpha)^2 / rho)^-1; with rho = 0 or alpha = 1, one.
+/// Samples a pixel is worth after blending: (alpha^2 + (1 - alpha)^2 / rho)^-1; with rho = 0 or
+/// alpha = 1, one.
 RIG_INLINE float accumulated_samples(float rho, float alpha) {
     const float rest = 1.0F - alpha;
     return rho > 0.0F && rest > 0.0F ? 1.0F / (alpha * alpha + rest * rest / rho) : 1.0F;
@@ -42,9 +49,13 @@ RIG_INLINE float accumulated_samples(float rho, float alpha) {
 using CacheInfo = std::uint32_t;
 
 RIG_INLINE CacheInfo pack_info(float alpha, std::uint32_t frame) {
-    return static_cast<CacheInfo>((pack_half4(vec4(alpha, 0.0F, 0.0F, 0.0F)).bits & 0xFFFFU) << 16U) | (frame & 0xFFFFU);
+    return static_cast<CacheInfo>((pack_half4(vec4(alpha, 0.0F, 0.0F, 0.0F)).bits & 0xFFFFU)
+                                  << 16U) |
+           (frame & 0xFFFFU);
 }
-RIG_INLINE float info_alpha(CacheInfo info) { return unpack_half4({info >> 16U}).x; }
+RIG_INLINE float info_alpha(CacheInfo info) {
+    return unpack_half4({info >> 16U}).x;
+}
 
 /// Frames since the pixel was touched, at least 1.
 RIG_INLINE std::uint32_t age_frames(CacheInfo info, std::uint32_t frame) {

@@ -11,20 +11,20 @@ namespace foverig {
 
 /// Why a pixel was traced; several may hold.
 enum SampleFlag : std::uint8_t {
-    kFovealSample = 1,                       ///< inside r0
-    kResampled = 2,                          ///< the reprojection was found wanting there (3.3)
-    kSupportSample = 4,                      ///< belongs to the support image
-    kChosenSample = 8,                       ///< drawn by the foveal function
+    kFovealSample = 1,   ///< inside r0
+    kResampled = 2,      ///< the reprojection was found wanting there (3.3)
+    kSupportSample = 4,  ///< belongs to the support image
+    kChosenSample = 8,   ///< drawn by the foveal function
 };
 
 /// Arrays of one tile's samples, in queue order. The last three are null without a light buffer.
 struct Samples {
     PackedPixel* pixels = nullptr;
     std::uint8_t* flags = nullptr;
-    Half4* colour = nullptr;                 ///< w = depth in metres (infinity from 65504 on)
-    Half4* base = nullptr;                   ///< colour without the stochastic light
+    Half4* colour = nullptr;  ///< w = depth in metres (infinity from 65504 on)
+    Half4* base = nullptr;    ///< colour without the stochastic light
     Half4* diffuse = nullptr;
-    Half4* light = nullptr;                  ///< irradiance rgb, openness
+    Half4* light = nullptr;  ///< irradiance rgb, openness
 };
 
 /// Files the i-th traced pixel as a sample, and in the support images where it belongs there.
@@ -34,7 +34,7 @@ struct StoreSamples {
     View<const std::uint32_t> slots;
     Samples samples;
     SupportImages support;
-    const std::int16_t* support_column;      ///< of a pixel column; meaningful where the flag is set
+    const std::int16_t* support_column;  ///< of a pixel column; meaningful where the flag is set
     const std::int16_t* support_row;
     vec3 ambient;
     vec3 background;

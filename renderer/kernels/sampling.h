@@ -18,10 +18,14 @@ RIG_INLINE std::uint32_t hash32(std::uint32_t x) {
     return x;
 }
 
-RIG_INLINE std::uint32_t hash32(std::uint32_t a, std::uint32_t b) { return hash32(a ^ (hash32(b) + 0x9E3779B9U)); }
+RIG_INLINE std::uint32_t hash32(std::uint32_t a, std::uint32_t b) {
+    return hash32(a ^ (hash32(b) + 0x9E3779B9U));
+}
 
 /// [0, 1): the top 24 bits, exact in float.
-RIG_INLINE float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8U) * 0x1.0p-24F; }
+RIG_INLINE float unit_float(std::uint32_t bits) {
+    return static_cast<float>(bits >> 8U) * 0x1.0p-24F;
+}
 
 RIG_INLINE std::uint32_t reverse_bits(std::uint32_t x) {
     x = (x << 16U) | (x >> 16U);
@@ -44,7 +48,8 @@ RIG_INLINE std::uint32_t sobol2(std::uint32_t i) {
 
 /// Point i of the sequence, digits scrambled by `seed` (random digit shift keeps the net).
 RIG_INLINE vec2 scrambled_point(std::uint32_t i, std::uint32_t seed) {
-    return {unit_float(reverse_bits(i) ^ hash32(seed)), unit_float(sobol2(i) ^ hash32(seed ^ 0xB5297A4DU))};
+    return {unit_float(reverse_bits(i) ^ hash32(seed)),
+            unit_float(sobol2(i) ^ hash32(seed ^ 0xB5297A4DU))};
 }
 
 /// Interleaved sampling (Keller and Heidrich 2001): the 4x4 neighbours of a pixel use 16 different
@@ -52,7 +57,9 @@ RIG_INLINE vec2 scrambled_point(std::uint32_t i, std::uint32_t seed) {
 /// direction come from pixels that are near, and can share a packet, without being neighbours.
 inline constexpr int kPatterns = 16;
 
-RIG_INLINE int pattern_of(std::uint32_t x, std::uint32_t y) { return static_cast<int>((x & 3U) | ((y & 3U) << 2U)); }
+RIG_INLINE int pattern_of(std::uint32_t x, std::uint32_t y) {
+    return static_cast<int>((x & 3U) | ((y & 3U) << 2U));
+}
 
 /// Numbers of all patterns for one frame and one light: entry pattern * samples + k of each row.
 /// Rows and not structs, so that sixteen lanes gather them in vectors.
@@ -78,14 +85,17 @@ struct Frame {
     vec3 bitangent;
     vec3 normal;
 
-    RIG_HD vec3 world(const vec3& local) const { return local.x * tangent + local.y * bitangent + local.z * normal; }
+    RIG_HD vec3 world(const vec3& local) const {
+        return local.x * tangent + local.y * bitangent + local.z * normal;
+    }
 };
 
 RIG_INLINE Frame frame_about(const vec3& n) {
     const float sign = n.z < 0.0F ? -1.0F : 1.0F;
     const float a = -1.0F / (sign + n.z);
     const float b = n.x * n.y * a;
-    return {{1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+    return {
+        {1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
 }  // namespace foverig

@@ -5,12 +5,16 @@
 
 namespace foverig {
 
-RIG_INLINE float largest_coordinate(const vec3& p) { return max_of(max_of(fabsf(p.x), fabsf(p.y)), fabsf(p.z)); }
+RIG_INLINE float largest_coordinate(const vec3& p) {
+    return max_of(max_of(fabsf(p.x), fabsf(p.y)), fabsf(p.z));
+}
 
-/// How far off the surface a secondary ray starts. The hit point is interpolated from the corners, so
-/// its error is a few ulps (2^-23) of their largest coordinate; 32 ulps leave room for the tracer's own.
+/// How far off the surface a secondary ray starts. The hit point is interpolated from the corners,
+/// so its error is a few ulps (2^-23) of their largest coordinate; 32 ulps leave room for the
+/// tracer's own.
 RIG_INLINE float origin_offset_m(const vec3& a, const vec3& b, const vec3& c) {
-    return max_of(max_of(largest_coordinate(a), largest_coordinate(b)), largest_coordinate(c)) * 0x1.0p-18F;
+    return max_of(max_of(largest_coordinate(a), largest_coordinate(b)), largest_coordinate(c)) *
+           0x1.0p-18F;
 }
 
 /// Turns hits into surface records (Weier 2016 3.1): position, normal, mip-mapped material, ambient
@@ -23,7 +27,7 @@ struct ShadeSurface {
     View<const Hit> hits;
     View<const std::uint32_t> slots;
     Surfaces surfaces;
-    float log2_pixel_width;              ///< of the width of a pixel at depth 1
+    float log2_pixel_width;  ///< of the width of a pixel at depth 1
 
     RIG_HD void operator()(int i) const {
         const auto pixel = static_cast<std::size_t>(i);
@@ -43,7 +47,8 @@ struct ShadeSurface {
         geometric = length2 > 0.0F ? geometric * (1.0F / sqrtf(length2)) : view;
         const float facing = glm::dot(geometric, view);
         if (facing < 0.0F) geometric = -geometric;
-        vec3 normal = w * scene.normals[corner.x] + hit.u * scene.normals[corner.y] + hit.v * scene.normals[corner.z];
+        vec3 normal = w * scene.normals[corner.x] + hit.u * scene.normals[corner.y] +
+                      hit.v * scene.normals[corner.z];
         const float normal2 = glm::dot(normal, normal);
         normal = normal2 > 1.0e-12F ? normal * (1.0F / sqrtf(normal2)) : geometric;
         if (glm::dot(normal, geometric) < 0.0F) normal = -normal;
@@ -53,7 +58,8 @@ struct ShadeSurface {
         vec3 emission = material.emission;
         if constexpr (kTextures) {
             if (material.diffuse_texture >= 0 || material.emission_texture >= 0) {
-                const vec2 uv = w * scene.texcoords[corner.x] + hit.u * scene.texcoords[corner.y] + hit.v * scene.texcoords[corner.z];
+                const vec2 uv = w * scene.texcoords[corner.x] + hit.u * scene.texcoords[corner.y] +
+                                hit.v * scene.texcoords[corner.z];
                 // Footprint: the pixel's width at this depth, stretched by the slant (at most 16).
                 const float lod = scene.texel_density_log2[hit.triangle] + log2_pixel_width +
                                   log2f(hit.t / max_of(fabsf(facing), 1.0F / 16.0F));

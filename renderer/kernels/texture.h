@@ -19,7 +19,8 @@ RIG_INLINE int wrap_fast(int i, int n, bool repeat) {
 }
 
 /// Bilinear linear RGB and alpha of one level at uv in [0,1] (v from the top).
-RIG_INLINE Quad sample_level(const SceneView& scene, const Texture& texture, const MipLevel& mip, float u, float v) {
+RIG_INLINE Quad sample_level(const SceneView& scene, const Texture& texture, const MipLevel& mip,
+                             float u, float v) {
     const float x = u * static_cast<float>(mip.width) - 0.5F;
     const float y = v * static_cast<float>(mip.height) - 0.5F;
     const float fx = std::floor(x);
@@ -50,7 +51,8 @@ RIG_INLINE vec4 sample_texture(const SceneView& scene, std::int32_t index, vec2 
     const float clamped = clamp_to(lod, 0.0F, static_cast<float>(texture.level_count - 1));
     const int level = static_cast<int>(clamped);
     const float blend = clamped - static_cast<float>(level);
-    const MipLevel* const mips = scene.mips.data + static_cast<std::uint32_t>(index) * kMostLevels + level;
+    const MipLevel* const mips =
+        scene.mips.data + static_cast<std::uint32_t>(index) * kMostLevels + level;
     const Quad fine = sample_level(scene, texture, mips[0], u, v);
     if (blend <= 0.0F) return to_vec4(fine);
     return to_vec4(fine * (1.0F - blend) + sample_level(scene, texture, mips[1], u, v) * blend);
@@ -60,9 +62,16 @@ RIG_INLINE vec4 sample_texture(const SceneView& scene, std::int32_t index, vec2 
 RIG_INLINE float sample_alpha(const SceneView& scene, const Texture& texture, vec2 uv) {
     const int width = static_cast<int>(texture.width);
     const int height = static_cast<int>(texture.height);
-    const int x = wrap_fast(static_cast<int>(wrapped(uv.x, texture.repeat_u) * static_cast<float>(width)), width, texture.repeat_u);
-    const int y = wrap_fast(static_cast<int>(wrapped(uv.y, texture.repeat_v) * static_cast<float>(height)), height, texture.repeat_v);
-    return static_cast<float>(scene.texels[texture.first_texel + static_cast<std::uint32_t>(y * width + x)] >> 24U) * (1.0F / 255.0F);
+    const int x =
+        wrap_fast(static_cast<int>(wrapped(uv.x, texture.repeat_u) * static_cast<float>(width)),
+                  width, texture.repeat_u);
+    const int y =
+        wrap_fast(static_cast<int>(wrapped(uv.y, texture.repeat_v) * static_cast<float>(height)),
+                  height, texture.repeat_v);
+    return static_cast<float>(
+               scene.texels[texture.first_texel + static_cast<std::uint32_t>(y * width + x)] >>
+               24U) *
+           (1.0F / 255.0F);
 }
 
 }  // namespace foverig

@@ -7,12 +7,16 @@ namespace foverig {
 namespace {
 
 std::int64_t now_ns() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 embree::EmbreeSettings embree_settings(const EffectPlan& plan, const RenderSettings& settings) {
     embree::EmbreeSettings s;
     s.alpha_test = plan.on(Effect::alpha_mask);
+    s.textures = plan.on(Effect::textures);
+    s.motion = plan.on(Effect::moving_geometry);
     s.robust = settings.robust_tracing;
     s.threads = settings.threads;
     return s;
@@ -58,10 +62,23 @@ FrameStats PipelineCore::end_frame(std::uint64_t all_pixels) {
     stats.all_pixels = all_pixels;
     const PassTable passes = backend_.take_passes();
     for (const PassTable::Entry& e : passes.entries())
-        stats.passes.push_back({std::string(e.name), static_cast<double>(e.ns) * 1e-6 / backend_.threads()});
+        stats.passes.push_back(
+            {std::string(e.name), static_cast<double>(e.ns) * 1e-6 / backend_.threads()});
     ++frames_;
     plan_.record_frame(stats.passes, frames_);
+    record_bytes();
     return stats;
+}
+
+void PipelineCore::record_bytes() {
+    for (std::size_t i = 0; i < plan_.effects().size(); ++i) {
+        const auto effect = static_cast<Effect>(i);
+        plan_.record_bytes(effect, memory_.bytes(effect));
+    }
+    const embree::SceneBytes scene = backend_.scene().bytes();
+    plan_.record_bytes(Effect::textures, memory_.bytes(Effect::textures) + scene.textures);
+    plan_.record_bytes(Effect::moving_geometry,
+                       memory_.bytes(Effect::moving_geometry) + scene.motion);
 }
 
 ShadingFrame PipelineCore::shading_frame(const EyeView& eye) const {

@@ -3,20 +3,22 @@
 #include <vector>
 
 #include "renderer/backends/embree/cpu_backend.h"
+#include "renderer/effects/memory.h"
 #include "renderer/pipelines/shade_tile.h"
 #include "renderer/renderer.h"
 
 namespace foverig {
 
-/// What every pipeline of the CPU mirror has: scene, plan, backend, light tables, a scratch a thread, and the
-/// bookkeeping around a frame.
+/// What every pipeline of the CPU mirror has: scene, plan, backend, light tables, a scratch a
+/// thread, and the bookkeeping around a frame.
 class PipelineCore {
   public:
     PipelineCore(std::shared_ptr<const Scene> scene, const RenderSettings& settings);
 
     /// Moves what moves and draws the frame's sample points.
     void begin_frame(const FrameInput& input);
-    /// Collects counts and pass times since begin_frame, and hands the effects their share.
+    /// Collects counts and pass times since begin_frame, and hands the effects their share of
+    /// time and memory.
     FrameStats end_frame(std::uint64_t all_pixels);
 
     ShadingFrame shading_frame(const EyeView& eye) const;
@@ -26,15 +28,17 @@ class PipelineCore {
     const EffectPlan& plan() const { return plan_; }
     EffectPlan& plan() { return plan_; }
     embree::CpuBackend& backend() { return backend_; }
-    MemoryCount& memory() { return memory_; }
+    EffectMemory& memory() { return memory_; }
     const Scene& scene() const { return *scene_; }
-    std::uint64_t bytes() const { return memory_.bytes + backend_.scene().bytes(); }
+    std::uint64_t bytes() const { return memory_.bytes() + backend_.scene().bytes().total(); }
 
   private:
+    void record_bytes();
+
     std::shared_ptr<const Scene> scene_;
     RenderSettings settings_;
     EffectPlan plan_;
-    MemoryCount memory_;
+    EffectMemory memory_;
     embree::CpuBackend backend_;
     LightTables tables_;
     std::vector<TileScratch> scratches_;

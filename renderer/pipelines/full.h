@@ -7,7 +7,8 @@ namespace foverig {
 /// The papers' control: every pixel traced, with the same shading and the same sample positions.
 class FullRenderer final : public Renderer {
   public:
-    FullRenderer(std::shared_ptr<const Scene> scene, const RenderSettings& settings) : core_(std::move(scene), settings) {}
+    FullRenderer(std::shared_ptr<const Scene> scene, const RenderSettings& settings)
+        : core_(std::move(scene), settings) {}
 
     FrameStats render(const FrameInput& input) override;
     const EffectPlan& plan() const override { return core_.plan(); }
@@ -18,7 +19,8 @@ class FullRenderer final : public Renderer {
     Mask resampling_mask(int) const override { return {}; }
 
   private:
-    void render_tile(embree::Lane& lane, TileScratch& scratch, const ShadingFrame& frame, const TileRect& tile, View<Half4> image, int width_px);
+    void render_tile(embree::Lane& lane, TileScratch& scratch, const ShadingFrame& frame,
+                     const TileRect& tile, View<Half4> image, int width_px);
 
     PipelineCore core_;
     struct Eye {

@@ -9,23 +9,32 @@
 
 namespace foverig {
 
-std::vector<std::string> pipeline_names() { return {"full", "reference", "reprojected"}; }
-std::vector<std::string> backend_names() { return {"auto", "embree"}; }
+std::vector<std::string> pipeline_names() {
+    return {"full", "reference", "reprojected"};
+}
+std::vector<std::string> backend_names() {
+    return {"auto", "embree"};
+}
 
 namespace {
 
-void require_known(const char* key, const std::string& value, const std::vector<std::string>& known) {
+void require_known(const char* key, const std::string& value,
+                   const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), value) == known.end())
-        throw std::invalid_argument(fmt::format("{} \"{}\" is not known; choose one of {}", key, value, fmt::join(known, ", ")));
+        throw std::invalid_argument(fmt::format("{} \"{}\" is not known; choose one of {}", key,
+                                                value, fmt::join(known, ", ")));
 }
 
 }  // namespace
 
-std::unique_ptr<Renderer> make_renderer(std::shared_ptr<const Scene> scene, const RenderSettings& settings) {
+std::unique_ptr<Renderer> make_renderer(std::shared_ptr<const Scene> scene,
+                                        const RenderSettings& settings) {
     require_known("pipeline", settings.pipeline, pipeline_names());
     require_known("backend", settings.backend, backend_names());
-    if (settings.pipeline == "full") return std::make_unique<FullRenderer>(std::move(scene), settings);
-    if (settings.pipeline == "reference") return std::make_unique<ReferenceRenderer>(std::move(scene), settings);
+    if (settings.pipeline == "full")
+        return std::make_unique<FullRenderer>(std::move(scene), settings);
+    if (settings.pipeline == "reference")
+        return std::make_unique<ReferenceRenderer>(std::move(scene), settings);
     return std::make_unique<ReprojectedRenderer>(std::move(scene), settings);
 }
 

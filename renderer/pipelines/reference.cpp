@@ -8,17 +8,20 @@
 namespace foverig {
 namespace {
 
-constexpr int kMostSamples = 1 << 17;        // two halves of 2^16 indices
+constexpr int kMostSamples = 1 << 17;  // two halves of 2^16 indices
 
 bool same_view(const EyeView& a, const EyeView& b) {
-    return a.width_px == b.width_px && a.height_px == b.height_px && a.tan_left == b.tan_left && a.tan_right == b.tan_right && a.tan_down == b.tan_down &&
-           a.tan_up == b.tan_up && a.position_m == b.position_m && a.world_from_eye == b.world_from_eye;
+    return a.width_px == b.width_px && a.height_px == b.height_px && a.tan_left == b.tan_left &&
+           a.tan_right == b.tan_right && a.tan_down == b.tan_down && a.tan_up == b.tan_up &&
+           a.position_m == b.position_m && a.world_from_eye == b.world_from_eye;
 }
 
 /// Gaze and frame number do not change what there is to see.
 bool same_sight(const FrameInput& a, const FrameInput& b) {
     return a.time_s == b.time_s &&
-           std::equal(a.eyes.begin(), a.eyes.end(), b.eyes.begin(), b.eyes.end(), [](const EyeInput& x, const EyeInput& y) { return same_view(x.view, y.view); });
+           std::equal(
+               a.eyes.begin(), a.eyes.end(), b.eyes.begin(), b.eyes.end(),
+               [](const EyeInput& x, const EyeInput& y) { return same_view(x.view, y.view); });
 }
 
 int queue_tile(TileScratch& s, const TileRect& rect) {
@@ -26,15 +29,20 @@ int queue_tile(TileScratch& s, const TileRect& rect) {
     for (const std::uint16_t at : kCoherentOrder) {
         const int x = at % kTile;
         const int y = at / kTile;
-        if (x < rect.width && y < rect.height) s.pixels[static_cast<std::size_t>(n++)] = pack_pixel(static_cast<std::uint32_t>(rect.x0 + x), static_cast<std::uint32_t>(rect.y0 + y));
+        if (x < rect.width && y < rect.height)
+            s.pixels[static_cast<std::size_t>(n++)] = pack_pixel(
+                static_cast<std::uint32_t>(rect.x0 + x), static_cast<std::uint32_t>(rect.y0 + y));
     }
     return n;
 }
 
 }  // namespace
 
-ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const Scene> scene, const RenderSettings& settings) : core_(std::move(scene), settings) {
-    for (int i = 0; i < core_.backend().threads(); ++i) scratches_.emplace_back(core_.memory());
+ReferenceRenderer::ReferenceRenderer(std::shared_ptr<const Scene> scene,
+                                     const RenderSettings& settings)
+    : core_(std::move(scene), settings) {
+    for (int i = 0; i < core_.backend().threads(); ++i)
+        scratches_.emplace_back(core_.memory().base());
 }
 
 void ReferenceRenderer::start_again(const FrameInput& input) {
@@ -46,8 +54,10 @@ void ReferenceRenderer::start_again(const FrameInput& input) {
         Eye& eye = eyes_[i];
         const EyeView& view = input.eyes[i].view;
         eye.grid = {view.width_px, view.height_px};
-        for (auto& half : eye.halves) half = Buffer<dvec3>(core_.memory(), pixel_count(view));
-        eye.squares = Buffer<dvec2>(core_.memory(), static_cast<std::size_t>(eye.grid.count()));
+        for (auto& half : eye.halves)
+            half = Buffer<dvec3>(core_.memory().base(), pixel_count(view));
+        eye.squares =
+            Buffer<dvec2>(core_.memory().base(), static_cast<std::size_t>(eye.grid.count()));
     }
 }
 
@@ -64,8 +74,10 @@ void ReferenceRenderer::add_samples(Eye& eye, const EyeView& view, int count) {
         const int n = queue_tile(scratch, eye.grid.rect(tile));
         for (int k = samples_; k < samples_ + count; ++k) {
             const auto half = static_cast<std::uint32_t>(k & 1);
-            const PathSampler sampler{hash32(core_.settings().seed, half), static_cast<std::uint32_t>(k >> 1)};
-            trace_paths(lane, scratch, scratches_[static_cast<std::size_t>(thread)], frame, n, sampler, std::max(0, core_.settings().reference.max_bounces),
+            const PathSampler sampler{hash32(core_.settings().seed, half),
+                                      static_cast<std::uint32_t>(k >> 1)};
+            trace_paths(lane, scratch, scratches_[static_cast<std::size_t>(thread)], frame, n,
+                        sampler, std::max(0, core_.settings().reference.max_bounces),
                         {eye.halves[half].view(), view.width_px});
         }
         scratch.sampled_pixels += static_cast<std::uint64_t>(n);
@@ -81,7 +93,9 @@ void ReferenceRenderer::measure(Eye& eye) {
             dvec2 sum(0.0);
             for (int y = r.y0; y < r.y0 + r.height; ++y) {
                 for (int x = r.x0; x < r.x0 + r.width; ++x) {
-                    const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(eye.grid.width_px) + static_cast<std::size_t>(x);
+                    const std::size_t at =
+                        static_cast<std::size_t>(y) * static_cast<std::size_t>(eye.grid.width_px) +
+                        static_cast<std::size_t>(x);
                     const dvec3 a = eye.halves[0][at] / even_count;
                     const dvec3 b = eye.halves[1][at] / odd_count;
                     const dvec3 off = 0.5 * (a - b);
@@ -100,14 +114,17 @@ FrameStats ReferenceRenderer::render(const FrameInput& input) {
     std::uint64_t all_pixels = 0;
     for (const EyeInput& eye : input.eyes) all_pixels += pixel_count(eye.view);
     if (done()) return core_.end_frame(all_pixels);
-    const int count = std::min(kSamplesPerCall, std::clamp(core_.settings().reference.samples, 1, kMostSamples) - samples_);
+    const int count =
+        std::min(kSamplesPerCall,
+                 std::clamp(core_.settings().reference.samples, 1, kMostSamples) - samples_);
     for (std::size_t i = 0; i < eyes_.size(); ++i) add_samples(eyes_[i], input.eyes[i].view, count);
     samples_ += count;
     if (samples_ < 2) return core_.end_frame(all_pixels);
     dvec2 sum(0.0);
     for (Eye& eye : eyes_) {
         measure(eye);
-        for (const dvec2& square : eye.squares.view()) sum += square;      // in the tiles' order, whoever measured them
+        for (const dvec2& square : eye.squares.view())
+            sum += square;  // in the tiles' order, whoever measured them
     }
     error_ = sum.y > 0.0 ? std::sqrt(sum.x / sum.y) : 0.0;
     return core_.end_frame(all_pixels);
@@ -118,7 +135,8 @@ Image ReferenceRenderer::image(int eye) const {
     Image image{e.grid.width_px, e.grid.height_px, {}};
     image.pixels.resize(e.halves[0].size());
     const double scale = 1.0 / std::max(1, samples_);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = vec3((e.halves[0][i] + e.halves[1][i]) * scale);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = vec3((e.halves[0][i] + e.halves[1][i]) * scale);
     return image;
 }
 

@@ -4,11 +4,12 @@
 
 namespace foverig {
 
-/// Ground truth: progressive path tracing. Every vertex has the direct light that `full` gives a surface (point and
-/// area lights, `ambient` by its occlusion), so that with max_bounces = 0 it converges to what `full` estimates, over
-/// the whole pixel; each bounce adds the light that diffuse surfaces and mirrors pass on. `render` adds
-/// kSamplesPerCall samples while views and time stay, and starts again when they change. Even and odd samples go to
-/// two halves with randomness of their own, whose difference says how far the mean is off. At most 2^17 samples.
+/// Ground truth: progressive path tracing. Every vertex has the direct light that `full` gives a
+/// surface (point and area lights, `ambient` by its occlusion), so that with max_bounces = 0 it
+/// converges to what `full` estimates, over the whole pixel; each bounce adds the light that
+/// diffuse surfaces and mirrors pass on. `render` adds kSamplesPerCall samples while views and time
+/// stay, and starts again when they change. Even and odd samples go to two halves with randomness
+/// of their own, whose difference says how far the mean is off. At most 2^17 samples.
 class ReferenceRenderer final : public Renderer {
   public:
     static constexpr int kSamplesPerCall = 8;
@@ -22,15 +23,16 @@ class ReferenceRenderer final : public Renderer {
     Image image(int eye) const override;
     Mask sampling_mask(int) const override { return {}; }
     Mask resampling_mask(int) const override { return {}; }
-    /// RMS over pixels, channels and eyes of half the difference of the two halves' means, over the RMS of their mean:
-    /// the standard error of the image relative to its level. < 0 before both halves hold a sample.
+    /// RMS over pixels, channels and eyes of half the difference of the two halves' means, over the
+    /// RMS of their mean: the standard error of the image relative to its level. < 0 before both
+    /// halves hold a sample.
     double estimated_error() const override { return error_; }
 
   private:
     struct Eye {
         TileGrid grid;
         Buffer<dvec3> halves[2];
-        Buffer<dvec2> squares;               ///< by tile: of the halved difference, of the mean
+        Buffer<dvec2> squares;  ///< by tile: of the halved difference, of the mean
     };
 
     void start_again(const FrameInput& input);
@@ -41,7 +43,7 @@ class ReferenceRenderer final : public Renderer {
     PipelineCore core_;
     std::vector<PathScratch> scratches_;
     std::vector<Eye> eyes_;
-    FrameInput shown_;                       ///< what the sums are of
+    FrameInput shown_;  ///< what the sums are of
     int samples_ = 0;
     double error_ = -1.0;
 };

@@ -15,13 +15,17 @@ namespace {
 
 constexpr std::size_t kRasterFloats = static_cast<std::size_t>(kRasterTile) * kRasterStride;
 
-TileZone zone_of(const TileRect& tile, const EyeRays& eye, const vec3& gaze, const FovealFunction& foveal) {
-    const auto direction = [&](int x, int y) { return dvec3(eye.direction(static_cast<float>(x), static_cast<float>(y))); };
+TileZone zone_of(const TileRect& tile, const EyeRays& eye, const vec3& gaze,
+                 const FovealFunction& foveal) {
+    const auto direction = [&](int x, int y) {
+        return dvec3(eye.direction(static_cast<float>(x), static_cast<float>(y)));
+    };
     const int x1 = tile.x0 + tile.width;
     const int y1 = tile.y0 + tile.height;
     const dvec3 centre = direction(tile.x0 + tile.width / 2, tile.y0 + tile.height / 2);
     double radius = 0.0;
-    for (const auto& corner : {direction(tile.x0, tile.y0), direction(x1, tile.y0), direction(tile.x0, y1), direction(x1, y1)})
+    for (const auto& corner : {direction(tile.x0, tile.y0), direction(x1, tile.y0),
+                               direction(tile.x0, y1), direction(x1, y1)})
         radius = std::max(radius, angle_between_rad(centre, corner));
     const double eccentricity = angle_between_rad(centre, dvec3(gaze));
     if (eccentricity + radius <= static_cast<double>(foveal.r0_rad)) return TileZone::foveal;
@@ -38,20 +42,26 @@ vec2 jitter_of(const EffectPlan& plan, std::uint32_t frame) {
 }  // namespace
 
 ReprojectedRenderer::Scratch::Scratch(MemoryCount& memory, std::size_t blocks)
-    : raster_rows(memory, 4 * kRasterFloats), block_flags(memory, blocks), pixel_flags(memory, kTilePixels), sparse(memory, kTilePixels) {}
+    : raster_rows(memory, 4 * kRasterFloats),
+      block_flags(memory, blocks),
+      pixel_flags(memory, kTilePixels),
+      sparse(memory, kTilePixels) {}
 
 RasterTile ReprojectedRenderer::Scratch::raster() {
     float* const p = raster_rows.data();
     return {p, p + kRasterFloats, p + 2 * kRasterFloats, p + 3 * kRasterFloats};
 }
 
-ReprojectedRenderer::ReprojectedRenderer(std::shared_ptr<const Scene> scene, const RenderSettings& settings)
+ReprojectedRenderer::ReprojectedRenderer(std::shared_ptr<const Scene> scene,
+                                         const RenderSettings& settings)
     : core_(std::move(scene), settings),
       foveal_(settings.foveation.r0_deg, settings.foveation.r1_deg, settings.foveation.p_min) {
     const int taps = settings.reprojection.footprint_samples;
     if (taps != 1 && taps != 2 && taps != 4 && taps != 8)
-        throw std::invalid_argument(fmt::format("reprojection.footprint_samples is {}; choose 1, 2, 4 or 8", taps));
-    taps_ = Buffer<float>(core_.memory(), static_cast<std::size_t>(taps) * 2 * kTapPeriod * kTapPeriod);
+        throw std::invalid_argument(
+            fmt::format("reprojection.footprint_samples is {}; choose 1, 2, 4 or 8", taps));
+    taps_ = Buffer<float>(core_.memory().of(Effect::reprojection),
+                          static_cast<std::size_t>(taps) * 2 * kTapPeriod * kTapPeriod);
 }
 
 void ReprojectedRenderer::prepare_eyes(const FrameInput& input) {
@@ -59,7 +69,8 @@ void ReprojectedRenderer::prepare_eyes(const FrameInput& input) {
     for (std::size_t i = 0; i < eyes_.size(); ++i) {
         const EyeView& view = input.eyes[i].view;
         if (eyes_[i] == nullptr || !eyes_[i]->fits(view)) {
-            eyes_[i] = std::make_unique<ReprojectedEye>(core_.memory(), core_.plan(), core_.settings().reprojection, view);
+            eyes_[i] = std::make_unique<ReprojectedEye>(core_.memory(), core_.plan(),
+                                                        core_.settings().reprojection, view);
             scratches_.clear();
         }
         eyes_[i]->turn();
@@ -68,8 +79,10 @@ void ReprojectedRenderer::prepare_eyes(const FrameInput& input) {
     }
     if (!scratches_.empty()) return;
     std::size_t blocks = 0;
-    for (const auto& eye : eyes_) blocks = std::max(blocks, static_cast<std::size_t>(eye->blocks().count));
-    for (int i = 0; i < core_.backend().threads(); ++i) scratches_.emplace_back(core_.memory(), blocks);
+    for (const auto& eye : eyes_)
+        blocks = std::max(blocks, static_cast<std::size_t>(eye->blocks().count));
+    for (int i = 0; i < core_.backend().threads(); ++i)
+        scratches_.emplace_back(core_.memory().of(Effect::reprojection), blocks);
 }
 
 /// Box-Muller over hashes: a normal pair for every tap and pixel of the 8x8 period.
@@ -84,27 +97,32 @@ void ReprojectedRenderer::draw_taps(std::uint32_t frame_seed) {
             const float v = unit_float(hash32(frame_seed ^ 0xA511E9B3U, 2 * key + 1));
             const float radius = sigma * std::sqrt(-2.0F * std::log1p(-u));
             taps_[(2 * tap) * plane + i] = radius * std::cos(2.0F * std::numbers::pi_v<float> * v);
-            taps_[(2 * tap + 1) * plane + i] = radius * std::sin(2.0F * std::numbers::pi_v<float> * v);
+            taps_[(2 * tap + 1) * plane + i] =
+                radius * std::sin(2.0F * std::numbers::pi_v<float> * v);
         }
     }
 }
 
-int ReprojectedRenderer::queue_pixels(embree::Lane& lane, int thread, ReprojectedEye& eye, const EyeInput& input, int tile, std::uint32_t frame_seed) {
+int ReprojectedRenderer::queue_pixels(embree::Lane& lane, int thread, ReprojectedEye& eye,
+                                      const EyeInput& input, int tile, std::uint32_t frame_seed) {
     const TileRect rect = eye.grid.rect(tile);
     std::uint8_t* const flags = scratches_[static_cast<std::size_t>(thread)].pixel_flags.data();
     if (rect.width < kTile || rect.height < kTile) std::fill_n(flags, kTilePixels, std::uint8_t{0});
     const EyeRays rays(input.view);
     const vec3 gaze = glm::normalize(input.view.world_from_eye * input.gaze);
-    lane.launch("select_pixels", rect.height,
-                SelectPixels{foveal_, rays, gaze, frame_seed, eye.resampled(), eye.support_column.data(), eye.support_row.data(),
-                             zone_of(rect, rays, gaze, foveal_), rect.x0, rect.y0, rect.width, flags});
+    lane.launch(
+        "select_pixels", rect.height,
+        SelectPixels{foveal_, rays, gaze, frame_seed, eye.resampled(), eye.support_column.data(),
+                     eye.support_row.data(), zone_of(rect, rays, gaze, foveal_), rect.x0, rect.y0,
+                     rect.width, flags});
     const Samples samples = eye.samples(tile);
     TileScratch& scratch = core_.scratch(thread);
     std::uint8_t* const sparse = scratches_[static_cast<std::size_t>(thread)].sparse.data();
     scratch.sparse = sparse;
     int n = 0;
     lane.launch("queue_pixels", 1, [&](int) {
-        const PackedPixel corner = pack_pixel(static_cast<std::uint32_t>(rect.x0), static_cast<std::uint32_t>(rect.y0));
+        const PackedPixel corner =
+            pack_pixel(static_cast<std::uint32_t>(rect.x0), static_cast<std::uint32_t>(rect.y0));
         for (const std::uint32_t at : kCoherentOrder) {
             const std::uint8_t why = flags[at];
             if (why == 0) continue;
@@ -120,18 +138,26 @@ int ReprojectedRenderer::queue_pixels(embree::Lane& lane, int thread, Reprojecte
     return n;
 }
 
-void ReprojectedRenderer::store_samples(embree::Lane& lane, TileScratch& scratch, ReprojectedEye& eye, int tile, int n, const ShadingFrame& frame) {
+void ReprojectedRenderer::store_samples(embree::Lane& lane, TileScratch& scratch,
+                                        ReprojectedEye& eye, int tile, int n,
+                                        const ShadingFrame& frame) {
     const auto store = [&]<bool kOcclusion, bool kLightBuffer>() {
         lane.launch("store_samples", n,
-                    StoreSamples<kOcclusion, kLightBuffer>{scratch.surfaces(), scratch.slots.view(), eye.samples(tile), eye.support(), eye.support_column.data(),
-                                                           eye.support_row.data(), frame.scene.ambient, frame.scene.background, &scratch.numerics});
+                    StoreSamples<kOcclusion, kLightBuffer>{
+                        scratch.surfaces(), scratch.slots.view(), eye.samples(tile), eye.support(),
+                        eye.support_column.data(), eye.support_row.data(), frame.scene.ambient,
+                        frame.scene.background, &scratch.numerics});
     };
-    if (core_.plan().on(Effect::ambient_occlusion)) store.operator()<true, true>();
-    else if (core_.plan().on(Effect::light_buffer)) store.operator()<false, true>();
-    else store.operator()<false, false>();
+    if (core_.plan().on(Effect::ambient_occlusion))
+        store.operator()<true, true>();
+    else if (core_.plan().on(Effect::light_buffer))
+        store.operator()<false, true>();
+    else
+        store.operator()<false, false>();
 }
 
-void ReprojectedRenderer::trace_tiles(ReprojectedEye& eye, const EyeInput& input, std::uint32_t frame) {
+void ReprojectedRenderer::trace_tiles(ReprojectedEye& eye, const EyeInput& input,
+                                      std::uint32_t frame) {
     ShadingFrame shading = core_.shading_frame(input.view);
     shading.pattern_seed = hash32(core_.settings().seed ^ 0x3C6EF372U, frame);
     shading.jitter_px = jitter_of(core_.plan(), frame);
@@ -177,7 +203,8 @@ Mask ReprojectedRenderer::sampling_mask(int eye) const {
     for (int tile = 0; tile < e.grid.count(); ++tile) {
         const Samples samples = e.samples(tile);
         for (int i = 0; i < e.sample_counts[static_cast<std::size_t>(tile)]; ++i)
-            mask.pixels[pixel_y(samples.pixels[i]) * static_cast<std::size_t>(mask.width_px) + pixel_x(samples.pixels[i])] = 1;
+            mask.pixels[pixel_y(samples.pixels[i]) * static_cast<std::size_t>(mask.width_px) +
+                        pixel_x(samples.pixels[i])] = 1;
     }
     return mask;
 }
@@ -188,7 +215,8 @@ Mask ReprojectedRenderer::resampling_mask(int eye) const {
     const CoarseLookup resampled = e.resampled();
     for (int y = 0; y < mask.height_px; ++y)
         for (int x = 0; x < mask.width_px; ++x)
-            mask.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width_px) + static_cast<std::size_t>(x)] = resampled(x, y) ? 1 : 0;
+            mask.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width_px) +
+                        static_cast<std::size_t>(x)] = resampled(x, y) ? 1 : 0;
     return mask;
 }
 

@@ -5,8 +5,9 @@
 
 namespace foverig {
 
-/// Weier et al. 2016: foveated sampling, reprojection through a coarse depth mesh, resampling where that
-/// fails, temporal cache, merge with the support image, post-process. docs/reprojected.md ties formula to file.
+/// Weier et al. 2016: foveated sampling, reprojection through a coarse depth mesh, resampling where
+/// that fails, temporal cache, merge with the support image, post-process. docs/reprojected.md ties
+/// formula to file.
 class ReprojectedRenderer final : public Renderer {
   public:
     ReprojectedRenderer(std::shared_ptr<const Scene> scene, const RenderSettings& settings);
@@ -37,12 +38,16 @@ class ReprojectedRenderer final : public Renderer {
     void reproject_mesh(ReprojectedEye& eye);
     void find_resampling(ReprojectedEye& eye);
     void trace_tiles(ReprojectedEye& eye, const EyeInput& input, std::uint32_t frame);
-    int queue_pixels(embree::Lane& lane, int thread, ReprojectedEye& eye, const EyeInput& input, int tile, std::uint32_t frame_seed);
-    void store_samples(embree::Lane& lane, TileScratch& scratch, ReprojectedEye& eye, int tile, int n, const ShadingFrame& frame);
-    void raster_tile(ReprojectedEye& eye, Scratch& scratch, const RasterFrame& frame, const TileRange& range);
+    int queue_pixels(embree::Lane& lane, int thread, ReprojectedEye& eye, const EyeInput& input,
+                     int tile, std::uint32_t frame_seed);
+    void store_samples(embree::Lane& lane, TileScratch& scratch, ReprojectedEye& eye, int tile,
+                       int n, const ShadingFrame& frame);
+    void raster_tile(ReprojectedEye& eye, Scratch& scratch, const RasterFrame& frame,
+                     const TileRange& range);
     void combine_tiles(ReprojectedEye& eye, std::uint32_t frame);
     template <bool kOcclusion, bool kLightBuffer>
-    void combine_tile(embree::Lane& lane, ReprojectedEye& eye, Scratch& scratch, int tile, std::uint32_t frame);
+    void combine_tile(embree::Lane& lane, ReprojectedEye& eye, Scratch& scratch, int tile,
+                      std::uint32_t frame);
     void post_process(ReprojectedEye& eye, std::uint32_t frame_seed);
 
     PipelineCore core_;

@@ -1,8 +1,7 @@
 #pragma once
 #include <array>
 
-#include "renderer/buffer.h"
-
+#include "renderer/effects/memory.h"
 #include "renderer/kernels/merge.h"
 #include "renderer/kernels/resampling.h"
 #include "renderer/kernels/samples.h"
@@ -11,13 +10,17 @@
 
 namespace foverig {
 
-/// Everything one eye of the `reprojected` pipeline keeps: two generations of history and support images,
-/// the depth mesh, the coarse view, and the samples of the frame. Allocated once a resolution.
+/// Everything one eye of the `reprojected` pipeline keeps: two generations of history and support
+/// images, the depth mesh, the coarse view, and the samples of the frame. Allocated once a
+/// resolution.
 class ReprojectedEye {
   public:
-    ReprojectedEye(MemoryCount& memory, const EffectPlan& plan, const ReprojectionSettings& settings, const EyeView& first_view);
+    ReprojectedEye(EffectMemory& memory, const EffectPlan& plan,
+                   const ReprojectionSettings& settings, const EyeView& first_view);
 
-    bool fits(const EyeView& other) const { return grid.width_px == other.width_px && grid.height_px == other.height_px; }
+    bool fits(const EyeView& other) const {
+        return grid.width_px == other.width_px && grid.height_px == other.height_px;
+    }
     /// Makes the current generation the last one.
     void turn() { current_ ^= 1; }
 
@@ -34,20 +37,20 @@ class ReprojectedEye {
     View<const Half4> image() const { return colour_[static_cast<std::size_t>(current_)].view(); }
 
     TileGrid grid;
-    TileGrid coarse_grid;                    ///< the support resolution
-    EyeView view;                            ///< of the current frame
+    TileGrid coarse_grid;  ///< the support resolution
+    EyeView view;          ///< of the current frame
     EyeView last_view;
     bool has_history = false;
-    Buffer<std::int16_t> support_column;     ///< by pixel column: the support column there, or -1
+    Buffer<std::int16_t> support_column;  ///< by pixel column: the support column there, or -1
     Buffer<std::int16_t> support_row;
-    Buffer<std::int16_t> coarse_column;      ///< by pixel column: the coarse cell over it
+    Buffer<std::int16_t> coarse_column;  ///< by pixel column: the coarse cell over it
     Buffer<std::int16_t> coarse_row;
-    Buffer<float> source_x_px;               ///< image position of each mesh column
+    Buffer<float> source_x_px;  ///< image position of each mesh column
     Buffer<float> source_y_px;
     Buffer<float> vertex_x_px;
     Buffer<float> vertex_y_px;
     Buffer<float> vertex_inverse_depth;
-    Buffer<int> sample_counts;               ///< by tile
+    Buffer<int> sample_counts;  ///< by tile
 
   private:
     HistoryImages history(int generation);
@@ -67,7 +70,7 @@ class ReprojectedEye {
     Buffer<PackedPixel> sample_pixels_;
     Buffer<std::uint8_t> sample_flags_;
     Buffer<Half4> sample_colour_;
-    Buffer<Half4> sample_light_;             ///< base, diffuse, light one after the other
+    Buffer<Half4> sample_light_;  ///< base, diffuse, light one after the other
 };
 
 }  // namespace foverig

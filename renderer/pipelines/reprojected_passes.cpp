@@ -8,15 +8,27 @@
 namespace foverig {
 
 void ReprojectedRenderer::reproject_mesh(ReprojectedEye& eye) {
-    const ReprojectVertices vertices{Reprojection(eye.last_view, eye.view), eye.last_support().depth_m, eye.source_x_px.data(), eye.source_y_px.data(),
-                                     eye.coarse_grid.width_px, eye.vertex_x_px.data(), eye.vertex_y_px.data(), eye.vertex_inverse_depth.data()};
+    const ReprojectVertices vertices{Reprojection(eye.last_view, eye.view),
+                                     eye.last_support().depth_m,
+                                     eye.source_x_px.data(),
+                                     eye.source_y_px.data(),
+                                     eye.coarse_grid.width_px,
+                                     eye.vertex_x_px.data(),
+                                     eye.vertex_y_px.data(),
+                                     eye.vertex_inverse_depth.data()};
     core_.backend().launch("reproject_vertices", eye.coarse_grid.height_px, vertices, 32);
-    const BoundBlocks bounds{eye.mesh(), eye.blocks(), eye.grid.columns(), eye.grid.rows(), 1.0F / kTile, static_cast<float>(eye.grid.width_px),
+    const BoundBlocks bounds{eye.mesh(),
+                             eye.blocks(),
+                             eye.grid.columns(),
+                             eye.grid.rows(),
+                             1.0F / kTile,
+                             static_cast<float>(eye.grid.width_px),
                              static_cast<float>(eye.grid.height_px)};
     core_.backend().launch("reproject_vertices", eye.coarse_grid.height_px - 1, bounds, 32);
 }
 
-void ReprojectedRenderer::raster_tile(ReprojectedEye& eye, Scratch& scratch, const RasterFrame& frame, const TileRange& range) {
+void ReprojectedRenderer::raster_tile(ReprojectedEye& eye, Scratch& scratch,
+                                      const RasterFrame& frame, const TileRange& range) {
     const RasterTile tile = scratch.raster();
     std::fill_n(tile.inverse_depth, static_cast<std::size_t>(frame.height) * kRasterStride, 0.0F);
     const CellBlocks blocks = eye.blocks();
@@ -26,28 +38,43 @@ void ReprojectedRenderer::raster_tile(ReprojectedEye& eye, Scratch& scratch, con
 }
 
 void ReprojectedRenderer::find_resampling(ReprojectedEye& eye) {
-    const float scale_x = static_cast<float>(eye.coarse_grid.width_px) / static_cast<float>(eye.grid.width_px);
-    const float scale_y = static_cast<float>(eye.coarse_grid.height_px) / static_cast<float>(eye.grid.height_px);
+    const float scale_x =
+        static_cast<float>(eye.coarse_grid.width_px) / static_cast<float>(eye.grid.width_px);
+    const float scale_y =
+        static_cast<float>(eye.coarse_grid.height_px) / static_cast<float>(eye.grid.height_px);
     const SupportLookup lookup = eye.support_lookup();
-    const auto full_tile = [](float coarse_px, float scale, int tiles) { return tile_index(coarse_px / scale, 1.0F / kTile, tiles); };
-    core_.backend().for_tiles(eye.coarse_grid.count(), [&](embree::Lane& lane, int thread, int index) {
+    const auto full_tile = [](float coarse_px, float scale, int tiles) {
+        return tile_index(coarse_px / scale, 1.0F / kTile, tiles);
+    };
+    core_.backend().for_tiles(eye.coarse_grid.count(), [&](embree::Lane& lane, int thread,
+                                                           int index) {
         const TileRect rect = eye.coarse_grid.rect(index);
         Scratch& scratch = scratches_[static_cast<std::size_t>(thread)];
-        const RasterFrame frame{eye.mesh(), scale_x, scale_y, rect.x0, rect.y0, rect.width, rect.height};
-        const TileRange range{full_tile(static_cast<float>(rect.x0), scale_x, eye.grid.columns()), full_tile(static_cast<float>(rect.x0 + rect.width), scale_x, eye.grid.columns()),
-                              full_tile(static_cast<float>(rect.y0), scale_y, eye.grid.rows()), full_tile(static_cast<float>(rect.y0 + rect.height), scale_y, eye.grid.rows())};
+        const RasterFrame frame{eye.mesh(), scale_x,    scale_y,    rect.x0,
+                                rect.y0,    rect.width, rect.height};
+        const TileRange range{
+            full_tile(static_cast<float>(rect.x0), scale_x, eye.grid.columns()),
+            full_tile(static_cast<float>(rect.x0 + rect.width), scale_x, eye.grid.columns()),
+            full_tile(static_cast<float>(rect.y0), scale_y, eye.grid.rows()),
+            full_tile(static_cast<float>(rect.y0 + rect.height), scale_y, eye.grid.rows())};
         lane.launch("reproject_coarse", 1, [&](int) { raster_tile(eye, scratch, frame, range); });
         lane.launch("reproject_coarse", rect.height,
-                    ResolveCoarse{scratch.raster(), eye.coarse(), eye.last().colour, eye.grid.width_px, eye.grid.height_px, eye.last_support(), lookup.columns_per_px,
-                                  lookup.rows_per_px, EyeRays(eye.view), 1.0F / scale_x, 1.0F / scale_y, rect.x0, rect.y0, rect.width});
+                    ResolveCoarse{scratch.raster(), eye.coarse(), eye.last().colour,
+                                  eye.grid.width_px, eye.grid.height_px, eye.last_support(),
+                                  lookup.columns_per_px, lookup.rows_per_px, EyeRays(eye.view),
+                                  1.0F / scale_x, 1.0F / scale_y, rect.x0, rect.y0, rect.width});
     });
     const ReprojectionSettings& s = core_.settings().reprojection;
-    core_.backend().launch("mark_resampling", eye.coarse_grid.height_px,
-                           MarkResampling{eye.coarse(), static_cast<float>(s.epsilon_depth), static_cast<float>(s.epsilon_lum), static_cast<float>(s.epsilon_grazing)}, 32);
+    core_.backend().launch(
+        "mark_resampling", eye.coarse_grid.height_px,
+        MarkResampling{eye.coarse(), static_cast<float>(s.epsilon_depth),
+                       static_cast<float>(s.epsilon_lum), static_cast<float>(s.epsilon_grazing)},
+        32);
 }
 
 template <bool kOcclusion, bool kLightBuffer>
-void ReprojectedRenderer::combine_tile(embree::Lane& lane, ReprojectedEye& eye, Scratch& scratch, int tile, std::uint32_t frame) {
+void ReprojectedRenderer::combine_tile(embree::Lane& lane, ReprojectedEye& eye, Scratch& scratch,
+                                       int tile, std::uint32_t frame) {
     const TileRect rect = eye.grid.rect(tile);
     const RasterTile raster = scratch.raster();
     const HistoryImages to = eye.current();
@@ -56,40 +83,69 @@ void ReprojectedRenderer::combine_tile(embree::Lane& lane, ReprojectedEye& eye, 
     if (eye.has_history) {
         const auto column = static_cast<std::uint8_t>(tile % eye.grid.columns());
         const auto row = static_cast<std::uint8_t>(tile / eye.grid.columns());
-        const RasterFrame raster_frame{eye.mesh(), 1.0F, 1.0F, rect.x0, rect.y0, rect.width, rect.height};
-        lane.launch("reproject_raster", 1, [&](int) { raster_tile(eye, scratch, raster_frame, {column, column, row, row}); });
+        const RasterFrame raster_frame{eye.mesh(), 1.0F,       1.0F,       rect.x0,
+                                       rect.y0,    rect.width, rect.height};
+        lane.launch("reproject_raster", 1, [&](int) {
+            raster_tile(eye, scratch, raster_frame, {column, column, row, row});
+        });
         const auto reproject = [&]<int kTaps>() {
             lane.launch("reproject", rect.height,
-                        ReprojectPixels<kTaps, kLightBuffer>{raster, {taps_.data()}, eye.last(), to, rect.x0, rect.y0, rect.width, width_px, eye.grid.height_px});
+                        ReprojectPixels<kTaps, kLightBuffer>{raster,
+                                                             {taps_.data()},
+                                                             eye.last(),
+                                                             to,
+                                                             rect.x0,
+                                                             rect.y0,
+                                                             rect.width,
+                                                             width_px,
+                                                             eye.grid.height_px});
         };
         switch (tap_count()) {
-            case 1: reproject.template operator()<1>(); break;
-            case 2: reproject.template operator()<2>(); break;
-            case 8: reproject.template operator()<8>(); break;
-            default: reproject.template operator()<4>(); break;
+            case 1:
+                reproject.template operator()<1>();
+                break;
+            case 2:
+                reproject.template operator()<2>();
+                break;
+            case 8:
+                reproject.template operator()<8>();
+                break;
+            default:
+                reproject.template operator()<4>();
+                break;
         }
     } else {
-        std::fill_n(raster.inverse_depth, static_cast<std::size_t>(rect.height) * kRasterStride, 0.0F);
+        std::fill_n(raster.inverse_depth, static_cast<std::size_t>(rect.height) * kRasterStride,
+                    0.0F);
     }
-    lane.launch("merge", rect.height, MergeSupport<kLightBuffer>{raster, eye.support_lookup(), to, rect.x0, rect.y0, rect.width, width_px, frame});
+    lane.launch("merge", rect.height,
+                MergeSupport<kLightBuffer>{raster, eye.support_lookup(), to, rect.x0, rect.y0,
+                                           rect.width, width_px, frame});
     const int n = eye.sample_counts[static_cast<std::size_t>(tile)];
     const SmallestWeight colour_weight(s.k_min, s.k_max, s.t_max);
     const SmallestWeight light_weight(s.k_min_light, s.k_max, s.t_max);
     const auto update = [&]<bool kOversampling>() {
-        lane.launch("cache_update", n,
-                    CacheUpdate<kOcclusion, kLightBuffer, kOversampling>{raster, eye.samples(tile), to, colour_weight, light_weight, core_.scene().ambient,
-                                                                         static_cast<float>(s.epsilon_cache), frame, rect.x0, rect.y0, width_px});
+        lane.launch(
+            "cache_update", n,
+            CacheUpdate<kOcclusion, kLightBuffer, kOversampling>{
+                raster, eye.samples(tile), to, colour_weight, light_weight, core_.scene().ambient,
+                static_cast<float>(s.epsilon_cache), frame, rect.x0, rect.y0, width_px});
     };
-    if (core_.plan().on(Effect::oversampling)) update.template operator()<true>();
-    else update.template operator()<false>();
+    if (core_.plan().on(Effect::oversampling))
+        update.template operator()<true>();
+    else
+        update.template operator()<false>();
 }
 
 void ReprojectedRenderer::combine_tiles(ReprojectedEye& eye, std::uint32_t frame) {
     core_.backend().for_tiles(eye.grid.count(), [&](embree::Lane& lane, int thread, int tile) {
         Scratch& scratch = scratches_[static_cast<std::size_t>(thread)];
-        if (core_.plan().on(Effect::ambient_occlusion)) combine_tile<true, true>(lane, eye, scratch, tile, frame);
-        else if (core_.plan().on(Effect::light_buffer)) combine_tile<false, true>(lane, eye, scratch, tile, frame);
-        else combine_tile<false, false>(lane, eye, scratch, tile, frame);
+        if (core_.plan().on(Effect::ambient_occlusion))
+            combine_tile<true, true>(lane, eye, scratch, tile, frame);
+        else if (core_.plan().on(Effect::light_buffer))
+            combine_tile<false, true>(lane, eye, scratch, tile, frame);
+        else
+            combine_tile<false, false>(lane, eye, scratch, tile, frame);
     });
 }
 
@@ -97,12 +153,16 @@ void ReprojectedRenderer::post_process(ReprojectedEye& eye, std::uint32_t frame_
     const ReprojectionSettings& s = core_.settings().reprojection;
     core_.backend().for_tiles(eye.grid.count(), [&](embree::Lane& lane, int, int tile) {
         const auto run = [&]<bool kOcclusion>() {
-            lane.launch("post_process", eye.sample_counts[static_cast<std::size_t>(tile)],
-                        PostProcess<kOcclusion>{eye.samples(tile), eye.current(), eye.resampled(), core_.scene().ambient, s.post_samples, s.post_search_px, frame_seed,
-                                                eye.grid.width_px, eye.grid.height_px});
+            lane.launch(
+                "post_process", eye.sample_counts[static_cast<std::size_t>(tile)],
+                PostProcess<kOcclusion>{eye.samples(tile), eye.current(), eye.resampled(),
+                                        core_.scene().ambient, s.post_samples, s.post_search_px,
+                                        frame_seed, eye.grid.width_px, eye.grid.height_px});
         };
-        if (core_.plan().on(Effect::ambient_occlusion)) run.operator()<true>();
-        else run.operator()<false>();
+        if (core_.plan().on(Effect::ambient_occlusion))
+            run.operator()<true>();
+        else
+            run.operator()<false>();
     });
 }
 

@@ -20,13 +20,17 @@ int order_by_pixel(TileScratch& s, int n) {
     return count;
 }
 
-/// Slots by sampling pattern where every pixel is traced: the pixel decides its pattern, and slots are sorted by
-/// it, in queue order within each. So a packet holds rays of one local direction from nearby pixels, though
-/// neighbours use different ones (see kPatterns). Returns the slots given.
+/// Slots by sampling pattern where every pixel is traced: the pixel decides its pattern, and slots
+/// are sorted by it, in queue order within each. So a packet holds rays of one local direction from
+/// nearby pixels, though neighbours use different ones (see kPatterns). Returns the slots given.
 int order_dense(TileScratch& s, int n) {
     int starts[kPatterns + 1] = {};
-    const auto takes_part = [&](std::size_t i) { return !s.hits[i].missed() && (s.sparse == nullptr || s.sparse[i] == 0); };
-    const auto pattern = [&](std::size_t i) { return pattern_of(pixel_x(s.pixels[i]), pixel_y(s.pixels[i])); };
+    const auto takes_part = [&](std::size_t i) {
+        return !s.hits[i].missed() && (s.sparse == nullptr || s.sparse[i] == 0);
+    };
+    const auto pattern = [&](std::size_t i) {
+        return pattern_of(pixel_x(s.pixels[i]), pixel_y(s.pixels[i]));
+    };
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
         if (takes_part(i)) ++starts[pattern(i) + 1];
     for (int p = 0; p < kPatterns; ++p) starts[p + 1] += starts[p];
@@ -41,16 +45,19 @@ int order_dense(TileScratch& s, int n) {
     return count;
 }
 
-/// Sparse pixels of one pattern lie too far apart to share a packet. There a packet's worth of neighbours in the
-/// queue takes one pattern, drawn anew each frame; within runs of a few packets pixels are first put in order of
-/// depth, since most of them lie along silhouettes and rays from both sides part at once.
+/// Sparse pixels of one pattern lie too far apart to share a packet. There a packet's worth of
+/// neighbours in the queue takes one pattern, drawn anew each frame; within runs of a few packets
+/// pixels are first put in order of depth, since most of them lie along silhouettes and rays from
+/// both sides part at once.
 constexpr int kSparseRun = 4 * embree::kPacket;
 
 int order_sparse(TileScratch& s, const ShadingFrame& f, int n, int first_slot) {
     struct Entry {
         float depth;
         std::uint32_t pixel;
-        bool operator<(const Entry& other) const { return depth < other.depth || (depth == other.depth && pixel < other.pixel); }
+        bool operator<(const Entry& other) const {
+            return depth < other.depth || (depth == other.depth && pixel < other.pixel);
+        }
     };
     std::array<Entry, kSparseRun> run{};
     std::size_t held = 0;
@@ -60,7 +67,8 @@ int order_sparse(TileScratch& s, const ShadingFrame& f, int n, int first_slot) {
         for (std::size_t k = 0; k < held; ++k, ++slot) {
             const auto packet = static_cast<std::uint32_t>((slot - first_slot) / embree::kPacket);
             s.slots[run[k].pixel] = static_cast<std::uint32_t>(slot);
-            s.patterns[static_cast<std::size_t>(slot)] = static_cast<int>(hash32(f.pattern_seed + packet) % kPatterns);
+            s.patterns[static_cast<std::size_t>(slot)] =
+                static_cast<int>(hash32(f.pattern_seed + packet) % kPatterns);
         }
         held = 0;
     };
@@ -81,7 +89,9 @@ int order_by_pattern(TileScratch& s, const ShadingFrame& f, int n) {
 template <bool kTextures, bool kOcclusion, bool kLightBuffer>
 void shade(embree::Lane& lane, TileScratch& s, const ShadingFrame& f, int n) {
     lane.launch("shade_surface", n,
-                ShadeSurface<kTextures, kOcclusion, kLightBuffer>{f.scene, f.eye, s.pixels.view(), s.hits.view(), s.slots.view(), s.surfaces(), f.log2_pixel_width});
+                ShadeSurface<kTextures, kOcclusion, kLightBuffer>{
+                    f.scene, f.eye, s.pixels.view(), s.hits.view(), s.slots.view(), s.surfaces(),
+                    f.log2_pixel_width});
 }
 
 template <bool kTextures>
@@ -93,7 +103,8 @@ void shade_as_planned(embree::Lane& lane, TileScratch& s, const ShadingFrame& f,
 
 void add_point_lights(embree::Lane& lane, TileScratch& s, const ShadingFrame& f, int n) {
     for (const PointLight& light : f.scene.point_lights) {
-        s.rays.shadow += lane.visible("shadow_point", n, 1, PointLightRays{s.surfaces(), light}, StoreVisible{s.surfaces()});
+        s.rays.shadow += lane.visible("shadow_point", n, 1, PointLightRays{s.surfaces(), light},
+                                      StoreVisible{s.surfaces()});
         lane.launch("shade_point_light", n, AddPointLight{s.surfaces(), light});
     }
 }
@@ -105,8 +116,11 @@ void add_area_lights(embree::Lane& lane, TileScratch& s, const ShadingFrame& f, 
         const float area_m2 = glm::length(normal);
         if (area_m2 <= 0.0F) continue;
         const PatternTable table = f.tables->area(i);
-        const AreaLightRays rays{s.surfaces(), s.patterns.view(), table, light, normal * (1.0F / area_m2), area_m2 / static_cast<float>(table.samples)};
-        s.rays.shadow += lane.visible("shadow_area", n, table.samples, rays, AddAreaLight{s.surfaces(), light.radiance});
+        const AreaLightRays rays{
+            s.surfaces(), s.patterns.view(),         table,
+            light,        normal * (1.0F / area_m2), area_m2 / static_cast<float>(table.samples)};
+        s.rays.shadow += lane.visible("shadow_area", n, table.samples, rays,
+                                      AddAreaLight{s.surfaces(), light.radiance});
     }
 }
 
@@ -114,32 +128,42 @@ void add_occlusion(embree::Lane& lane, TileScratch& s, const ShadingFrame& f, in
     const PatternTable table = f.tables->occlusion();
     const int samples = table.samples;
     const OcclusionRays rays{s.surfaces(), s.patterns.view(), table, f.occlusion_reach_m};
-    s.rays.ao += lane.visible("ambient_occlusion", n, samples, rays, StoreOcclusion{s.surfaces(), 1.0F / static_cast<float>(samples)});
+    s.rays.ao += lane.visible("ambient_occlusion", n, samples, rays,
+                              StoreOcclusion{s.surfaces(), 1.0F / static_cast<float>(samples)});
 }
 
 }  // namespace
 
-ShadingFrame make_shading_frame(const SceneView& scene, const EffectPlan& plan, const LightTables& tables, const EyeView& eye,
+ShadingFrame make_shading_frame(const SceneView& scene, const EffectPlan& plan,
+                                const LightTables& tables, const EyeView& eye,
                                 const LightingSettings& lighting) {
     ShadingFrame f;
     f.scene = scene;
     f.plan = &plan;
     f.tables = &tables;
     f.eye = EyeRays(eye);
-    f.log2_pixel_width = std::log2((eye.tan_left + eye.tan_right) / static_cast<float>(eye.width_px));
-    f.occlusion_reach_m = lighting.ao_radius_m > 0.0 ? static_cast<float>(lighting.ao_radius_m) : 1.0e30F;
+    f.log2_pixel_width =
+        std::log2((eye.tan_left + eye.tan_right) / static_cast<float>(eye.width_px));
+    f.occlusion_reach_m =
+        lighting.ao_radius_m > 0.0 ? static_cast<float>(lighting.ao_radius_m) : 1.0e30F;
     return f;
 }
 
 int shade_tile(embree::Lane& lane, TileScratch& s, const ShadingFrame& f, int n) {
     if (n == 0) return 0;
-    lane.closest("trace_primary", n, CameraRays{f.eye, s.pixels.view(), f.jitter_px}, StoreHit{s.hits.view()});
+    lane.closest("trace_primary", n, CameraRays{f.eye, s.pixels.view(), f.jitter_px},
+                 StoreHit{s.hits.view()});
     s.rays.primary += static_cast<std::uint64_t>(n);
     s.sampled_pixels += static_cast<std::uint64_t>(n);
     int surfaces = 0;
-    lane.launch("order_slots", 1, [&](int) { surfaces = f.plan->on(Effect::light_buffer) ? order_by_pattern(s, f, n) : order_by_pixel(s, n); });
-    if (f.plan->on(Effect::textures)) shade_as_planned<true>(lane, s, f, n);
-    else shade_as_planned<false>(lane, s, f, n);
+    lane.launch("order_slots", 1, [&](int) {
+        surfaces =
+            f.plan->on(Effect::light_buffer) ? order_by_pattern(s, f, n) : order_by_pixel(s, n);
+    });
+    if (f.plan->on(Effect::textures))
+        shade_as_planned<true>(lane, s, f, n);
+    else
+        shade_as_planned<false>(lane, s, f, n);
     if (f.plan->on(Effect::point_light)) add_point_lights(lane, s, f, surfaces);
     if (f.plan->on(Effect::area_light)) add_area_lights(lane, s, f, surfaces);
     if (f.plan->on(Effect::ambient_occlusion)) add_occlusion(lane, s, f, surfaces);

@@ -11,7 +11,7 @@ inline constexpr int kTilePixels = kTile * kTile;
 struct TileRect {
     int x0 = 0;
     int y0 = 0;
-    int width = 0;                       ///< clipped to the image
+    int width = 0;  ///< clipped to the image
     int height = 0;
 };
 
@@ -32,8 +32,8 @@ struct TileGrid {
     }
 };
 
-/// The order in which a tile's pixels are queued: 4x4 blocks (one packet) along a Morton curve, so that
-/// compacted queues stay coherent by construction. Entry = y * 64 + x within the tile.
+/// The order in which a tile's pixels are queued: 4x4 blocks (one packet) along a Morton curve, so
+/// that compacted queues stay coherent by construction. Entry = y * 64 + x within the tile.
 constexpr std::array<std::uint16_t, kTilePixels> make_coherent_order() {
     std::array<std::uint16_t, kTilePixels> order{};
     for (int i = 0; i < kTilePixels; ++i) {

@@ -2,11 +2,13 @@
 
 namespace foverig {
 
-TileScratch::TileScratch(MemoryCount& memory, const EffectPlan& plan)
-    : pixels(memory, kStride),
-      hits(memory, kStride),
-      slots(memory, kStride),
-      patterns(memory, plan.on(Effect::light_buffer) ? kStride : 0),
-      rows(memory, static_cast<std::size_t>(kStride) * (plan.on(Effect::light_buffer) ? kRows : kRowsWithoutLight)) {}
+TileScratch::TileScratch(EffectMemory& memory, const EffectPlan& plan)
+    : pixels(memory.base(), kStride),
+      hits(memory.base(), kStride),
+      slots(memory.base(), kStride),
+      patterns(memory.of(Effect::light_buffer), plan.on(Effect::light_buffer) ? kStride : 0),
+      rows(memory.base(), std::size_t{kStride} * kRowsWithoutLight, memory.of(Effect::light_buffer),
+           plan.on(Effect::light_buffer) ? std::size_t{kStride} * (kRows - kRowsWithoutLight) : 0) {
+}
 
 }  // namespace foverig

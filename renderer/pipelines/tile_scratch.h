@@ -1,6 +1,5 @@
 #pragma once
-#include "renderer/buffer.h"
-#include "renderer/effects/plan.h"
+#include "renderer/effects/memory.h"
 #include "renderer/kernels/pixel.h"
 #include "renderer/kernels/surface.h"
 #include "renderer/pipelines/tile_grid.h"
@@ -11,19 +10,20 @@ namespace foverig {
 
 /// Queues and surface records of the tile that a thread works on; reused from tile to tile.
 struct TileScratch {
-    TileScratch(MemoryCount& memory, const EffectPlan& plan);
+    TileScratch(EffectMemory& memory, const EffectPlan& plan);
 
     Surfaces surfaces() { return {rows.data(), kStride}; }
 
     /// Room for a whole packet past the last slot.
     static constexpr int kStride = kTilePixels + 16;
 
-    Buffer<PackedPixel> pixels;              ///< the primary queue
-    Buffer<Hit> hits;                        ///< one a queued pixel
-    Buffer<std::uint32_t> slots;             ///< surface slot of a queued pixel, or kMiss
-    Buffer<int> patterns;                    ///< sampling pattern by slot; only with a light buffer
-    const std::uint8_t* sparse = nullptr;    ///< by queued pixel: 1 where neighbours are not traced; null = none
-    Buffer<float> rows;                      ///< surface records
+    Buffer<PackedPixel> pixels;   ///< the primary queue
+    Buffer<Hit> hits;             ///< one a queued pixel
+    Buffer<std::uint32_t> slots;  ///< surface slot of a queued pixel, or kMiss
+    Buffer<int> patterns;         ///< sampling pattern by slot; only with a light buffer
+    const std::uint8_t* sparse =
+        nullptr;         ///< by queued pixel: 1 where neighbours are not traced; null = none
+    Buffer<float> rows;  ///< surface records
     RayCounts rays;
     NumericCounts numerics;
     std::uint64_t sampled_pixels = 0;

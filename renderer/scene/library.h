@@ -9,9 +9,9 @@
 namespace foverig {
 
 struct ImportSettings {
-    double metres_per_unit = 1.0;            ///< 0.001 for a file in millimetres
-    std::uint64_t max_triangles = 64'000'000;    ///< after instances are unfolded
-    std::uint64_t max_texture_px = 1U << 28U;    ///< of one image, before mips
+    double metres_per_unit = 1.0;              ///< 0.001 for a file in millimetres
+    std::uint64_t max_triangles = 64'000'000;  ///< after instances are unfolded
+    std::uint64_t max_texture_px = 1U << 28U;  ///< of one image, before mips
 };
 
 /// Reads OBJ+MTL, glTF 2.0, GLB or PLY (by suffix). Throws SceneError with one clear sentence that

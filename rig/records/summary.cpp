@@ -108,6 +108,13 @@ json devices_json(const std::vector<DeviceRecord>& devices) {
     return all;
 }
 
+/// What no effect of the plan asked for: the scene, the queues, the image.
+std::uint64_t base_bytes(const RunRecord& run) {
+    std::uint64_t bytes = run.backend_bytes;
+    for (const PlannedEffect& effect : run.plan) bytes -= effect.bytes.value_or(0);
+    return bytes;
+}
+
 json numerics_json(const std::vector<FrameRecord>& frames) {
     using F = const FrameRecord&;
     return {{"nan", sum(frames, [](F f) { return f.numerics.nan; })},
@@ -125,7 +132,7 @@ json plan_json(const std::vector<PlannedEffect>& plan) {
              {"on", effect.on},
              {"because", effect.because},
              {"passes", effect.passes},
-             {"bytes", effect.bytes},
+             {"bytes", or_null(effect.bytes)},
              {"measured_ms", effect.measured_ms < 0.0 ? json(nullptr) : json(effect.measured_ms)}});
     }
     return effects;
@@ -161,7 +168,9 @@ json summary_json(const RunRecord& run, const json& scenario, const BuildInfo& b
     summary["vsync"] = vsync_json(run, count);
     summary["latency_ms"] = latencies(frames);
     summary["devices"] = devices_json(run.devices);
-    summary["memory"] = {{"backend_bytes", run.backend_bytes}, {"peak_rss_bytes", peak_rss}};
+    summary["memory"] = {{"backend_bytes", run.backend_bytes},
+                         {"base_bytes", base_bytes(run)},
+                         {"peak_rss_bytes", peak_rss}};
     summary["numerics"] = numerics_json(frames);
     return summary;
 }

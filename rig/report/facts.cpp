@@ -14,13 +14,14 @@ std::string plan_table(const RunData& run) {
             passes += fmt::format("<code>{}</code> ", escaped(pass.get<std::string>()));
         }
         const bool on = effect.value("on", false);
+        const auto& memory = effect["bytes"];
         const auto& ms = effect["measured_ms"];
         rows.push_back({escaped(effect.value("effect", "")), on ? "<b>on</b>" : "off",
                         escaped(effect.value("because", "")), passes,
-                        on ? bytes(effect["bytes"].get<double>()) : "",
+                        on && memory.is_number() ? bytes(memory.get<double>()) : "",
                         ms.is_number() ? number(ms.get<double>()) : ""});
     }
-    return table({"effect", "", "because", "passes", "memory an eye", "ms a frame"}, rows, {4, 5});
+    return table({"effect", "", "because", "passes", "memory", "ms a frame"}, rows, {4, 5});
 }
 
 std::string device_table(const RunData& run) {

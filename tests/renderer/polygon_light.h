@@ -7,8 +7,9 @@
 
 namespace foverig {
 
-/// Irradiance at p, normal n, of a parallelogram of radiance 1 that lies wholly above p's horizon: Lambert's
-/// polygon formula, E = 1/2 sum over edges of the angle an edge subtends times n . its plane's normal.
+/// Irradiance at p, normal n, of a parallelogram of radiance 1 that lies wholly above p's horizon:
+/// Lambert's polygon formula, E = 1/2 sum over edges of the angle an edge subtends times n . its
+/// plane's normal.
 inline double polygon_irradiance(const AreaLight& light, const dvec3& p, const dvec3& n) {
     const dvec3 c(light.corner_m);
     const dvec3 u(light.edge_u_m);

@@ -46,8 +46,10 @@ class SmallScene {
             part.first_triangle += p.triangle_count;
             part.first_vertex += p.vertex_count;
         }
-        part.triangle_count = static_cast<std::uint32_t>(scene_.triangles.size()) - part.first_triangle;
-        part.vertex_count = static_cast<std::uint32_t>(scene_.positions_m.size()) - part.first_vertex;
+        part.triangle_count =
+            static_cast<std::uint32_t>(scene_.triangles.size()) - part.first_triangle;
+        part.vertex_count =
+            static_cast<std::uint32_t>(scene_.positions_m.size()) - part.first_vertex;
         part.alpha_masked = alpha_masked;
         if (part.triangle_count > 0) scene_.parts.push_back(part);
     }
@@ -65,7 +67,8 @@ class SmallScene {
 };
 
 /// Looks along -z from `position_m` turned to `target_m`, tangents +-`tangent`.
-inline EyeView view_at(const vec3& position_m, const vec3& target_m, int width_px, int height_px, float tangent = 1.0F) {
+inline EyeView view_at(const vec3& position_m, const vec3& target_m, int width_px, int height_px,
+                       float tangent = 1.0F) {
     EyeView v;
     v.width_px = width_px;
     v.height_px = height_px;
@@ -95,8 +98,12 @@ inline RenderSettings settings_of(const char* pipeline) {
 
 /// World point on the plane y = height that the middle of pixel (x, y) shows.
 inline dvec3 floor_point(const EyeView& v, int x_px, int y_px, double height_m = 0.0) {
-    const double tx = -static_cast<double>(v.tan_left) + (x_px + 0.5) / v.width_px * (static_cast<double>(v.tan_left) + static_cast<double>(v.tan_right));
-    const double ty = static_cast<double>(v.tan_up) - (y_px + 0.5) / v.height_px * (static_cast<double>(v.tan_up) + static_cast<double>(v.tan_down));
+    const double tx = -static_cast<double>(v.tan_left) +
+                      (x_px + 0.5) / v.width_px *
+                          (static_cast<double>(v.tan_left) + static_cast<double>(v.tan_right));
+    const double ty = static_cast<double>(v.tan_up) -
+                      (y_px + 0.5) / v.height_px *
+                          (static_cast<double>(v.tan_up) + static_cast<double>(v.tan_down));
     const dvec3 d = dmat3(v.world_from_eye) * dvec3(tx, ty, -1.0);
     const dvec3 o(v.position_m);
     return o + d * ((height_m - o.y) / d.y);

@@ -1,6 +1,6 @@
 #pragma once
-// The CPU mirror of the renderer: Embree traces, TBB spreads tiles over threads. A `Lane` runs the passes of one tile
-// on one thread; the same pass code would run them over a whole frame on a GPU.
+// The CPU mirror of the renderer: Embree traces, TBB spreads tiles over threads. A `Lane` runs the
+// passes of one tile on one thread; the same pass code would run them over a whole frame on a GPU.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -38,7 +38,8 @@ class Lane {
 
     /// Returns the number of rays traced.
     template <class MakeRay, class OnSum>
-    std::uint64_t visible(const char* name, int n, int samples, const MakeRay& make_ray, const OnSum& on_sum) {
+    std::uint64_t visible(const char* name, int n, int samples, const MakeRay& make_ray,
+                          const OnSum& on_sum) {
         const auto start = now_ns();
         const std::uint64_t rays = embree::visible(scene_.handle(), n, samples, make_ray, on_sum);
         passes_.add(name, now_ns() - start, rays);
@@ -48,7 +49,11 @@ class Lane {
     PassTable& passes() { return passes_; }
 
   private:
-    static std::int64_t now_ns() { return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+    static std::int64_t now_ns() {
+        return std::chrono::duration_cast<std::chrono::nanoseconds>(
+                   std::chrono::steady_clock::now().time_since_epoch())
+            .count();
+    }
 
     const EmbreeScene& scene_;
     PassTable passes_;
@@ -67,10 +72,14 @@ class CpuBackend {
     template <class Body>
     void for_tiles(int tiles, const Body& body) {
         arena_->execute([&] {
-            tbb::parallel_for(tbb::blocked_range<int>(0, tiles, 1), [&](const tbb::blocked_range<int>& range) {
-                const int thread = tbb::this_task_arena::current_thread_index();
-                for (int tile = range.begin(); tile < range.end(); ++tile) body(lanes_[static_cast<std::size_t>(thread)], thread, tile);
-            }, tbb::simple_partitioner());
+            tbb::parallel_for(
+                tbb::blocked_range<int>(0, tiles, 1),
+                [&](const tbb::blocked_range<int>& range) {
+                    const int thread = tbb::this_task_arena::current_thread_index();
+                    for (int tile = range.begin(); tile < range.end(); ++tile)
+                        body(lanes_[static_cast<std::size_t>(thread)], thread, tile);
+                },
+                tbb::simple_partitioner());
         });
     }
 
@@ -85,7 +94,9 @@ class CpuBackend {
     }
 
     /// Time of work that is no kernel (a refit), under its pass name.
-    void add_pass(const char* name, std::int64_t ns) { lanes_.front().passes().add(name, ns * threads_); }
+    void add_pass(const char* name, std::int64_t ns) {
+        lanes_.front().passes().add(name, ns * threads_);
+    }
 
     /// Sums of all lanes since the last call; names in order of first use by thread 0.
     PassTable take_passes();

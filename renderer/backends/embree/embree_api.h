@@ -1,5 +1,6 @@
 #pragma once
-// The only file that knows which Embree this is: 3.13 (Debian 12) passes a context, 4 passes arguments.
+// The only file that knows which Embree this is: 3.13 (Debian 12) passes a context, 4 passes
+// arguments.
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else
@@ -10,7 +11,8 @@ namespace foverig::embree {
 
 inline constexpr int kPacket = 16;
 
-/// Whether neighbouring lanes are expected to take the same path (PERFORMANCE: worth 4x for primaries).
+/// Whether neighbouring lanes are expected to take the same path (PERFORMANCE: worth 4x for
+/// primaries).
 enum class Coherence { coherent, incoherent };
 
 class Query {
@@ -46,7 +48,8 @@ class Query {
   private:
 #if RTC_VERSION_MAJOR >= 4
     static RTCRayQueryFlags flags(Coherence c) {
-        return c == Coherence::coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+        return c == Coherence::coherent ? RTC_RAY_QUERY_FLAG_COHERENT
+                                        : RTC_RAY_QUERY_FLAG_INCOHERENT;
     }
     RTCIntersectArguments intersect_;
     RTCOccludedArguments occluded_;

@@ -1,6 +1,6 @@
 #pragma once
-// Passes over queues of rays, sixteen at a time: rays are made in registers and L1 by the pass's own
-// functor, traced, and handed to its sink, so that a queue's rays never travel through memory.
+// Passes over queues of rays, sixteen at a time: rays are made in registers and L1 by the pass's
+// own functor, traced, and handed to its sink, so that a queue's rays never travel through memory.
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -27,10 +27,11 @@ inline void set_lane(Rays& rays, int lane, const Ray& ray) {
     rays.flags[lane] = 0U;
 }
 
-/// make_ray(i) -> Ray for i in [0, n); on_hit(i, Hit). Functors may be asked for lanes up to the next
-/// multiple of 16 (their views are padded); those rays are not traced and not reported.
+/// make_ray(i) -> Ray for i in [0, n); on_hit(i, Hit). Functors may be asked for lanes up to the
+/// next multiple of 16 (their views are padded); those rays are not traced and not reported.
 template <class MakeRay, class OnHit>
-void closest(RTCScene scene, View<const std::uint32_t> first_triangles, int n, const MakeRay& make_ray, const OnHit& on_hit) {
+void closest(RTCScene scene, View<const std::uint32_t> first_triangles, int n,
+             const MakeRay& make_ray, const OnHit& on_hit) {
     Query query(Coherence::coherent);
     for (int base = 0; base < n; base += kPacket) {
         alignas(64) RTCRayHit16 packet;
@@ -48,7 +49,8 @@ void closest(RTCScene scene, View<const std::uint32_t> first_triangles, int n, c
         for (int lane = 0; lane < count; ++lane) {
             Hit hit;
             if (packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID)
-                hit = {packet.ray.tfar[lane], packet.hit.u[lane], packet.hit.v[lane], first_triangles[packet.hit.geomID[lane]] + packet.hit.primID[lane]};
+                hit = {packet.ray.tfar[lane], packet.hit.u[lane], packet.hit.v[lane],
+                       first_triangles[packet.hit.geomID[lane]] + packet.hit.primID[lane]};
             on_hit(base + lane, hit);
         }
     }
@@ -57,7 +59,8 @@ void closest(RTCScene scene, View<const std::uint32_t> first_triangles, int n, c
 /// make_ray(slot, sample) -> WeightedRay; on_sum(slot, sum of the weights of unoccluded samples).
 /// Sample k of sixteen slots shares a packet. Returns the number of rays traced.
 template <class MakeRay, class OnSum>
-std::uint64_t visible(RTCScene scene, int n, int samples, const MakeRay& make_ray, const OnSum& on_sum) {
+std::uint64_t visible(RTCScene scene, int n, int samples, const MakeRay& make_ray,
+                      const OnSum& on_sum) {
     Query query(Coherence::coherent);
     std::uint64_t traced = 0;
     for (int base = 0; base < n; base += kPacket) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "devices/gaze/crc32.h"
+#include "devices/crc32.h"
 #include "tests/devices/byte_text.h"
 #include "tests/devices/gaze/golden_sample.h"
 

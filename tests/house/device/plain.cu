@@ -24,14 +24,16 @@ __global__ void halves(View<Half4> packed, const int* indices) {
 
 __global__ void numbers(FovealFunction foveal, EyeView view, float* out) {
     const float angle = fast_angle_rad(out[0], out[1]);
-    store_lanes(out, max_lanes(min_lanes(load_lanes(out), lane_indices() + foveal(angle)), lane_indices()));
+    store_lanes(
+        out, max_lanes(min_lanes(load_lanes(out), lane_indices() + foveal(angle)), lane_indices()));
     out[2] = clamp_to(view.tan_left, 0.0F, 1.0F);
 }
 
 __global__ void records(Surfaces surfaces, SupportLookup lookup, PackedPixel pixel) {
     const int slot = static_cast<int>(pixel_x(pixel));
     surfaces.set3(Row::normal_x, slot, surfaces.get3(Row::view_x, slot));
-    surfaces.at(Row::depth, slot) = lookup(lookup.support.colour, slot, static_cast<int>(pixel_y(pixel))).x;
+    surfaces.at(Row::depth, slot) =
+        lookup(lookup.support.colour, slot, static_cast<int>(pixel_y(pixel))).x;
 }
 
 }  // namespace foverig::device

@@ -4,7 +4,8 @@
 
 namespace foverig::device {
 
-__global__ void weigh(SmallestWeight smallest, const CacheInfo* infos, float* weights, std::uint32_t frame, int n) {
+__global__ void weigh(SmallestWeight smallest, const CacheInfo* infos, float* weights,
+                      std::uint32_t frame, int n) {
     if (index() >= n) return;
     const CacheInfo info = infos[index()];
     const float alpha = new_sample_weight(info_alpha(info), smallest(age_frames(info, frame)));

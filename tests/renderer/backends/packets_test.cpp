@@ -14,15 +14,20 @@
 namespace foverig::embree {
 namespace {
 
-float random(std::uint32_t a, std::uint32_t b) { return unit_float(hash32(a, b)); }
-vec3 random_point(std::uint32_t i, std::uint32_t b) { return {random(i, b), random(i, b + 1), random(i, b + 2)}; }
+float random(std::uint32_t a, std::uint32_t b) {
+    return unit_float(hash32(a, b));
+}
+vec3 random_point(std::uint32_t i, std::uint32_t b) {
+    return {random(i, b), random(i, b + 1), random(i, b + 2)};
+}
 
 Scene triangle_soup() {
     SmallScene s;
     const std::uint16_t grey = s.add_matte(vec3(0.5F));
     for (std::uint32_t i = 0; i < 400; ++i) {
-        s.add_quad(grey, 4.0F * random_point(i, 0) - vec3(2.0F), random_point(i, 3) - vec3(0.5F), random_point(i, 6) - vec3(0.5F));
-        if (i % 100 == 99) s.end_part();         // several geometries: triangle numbers must run on
+        s.add_quad(grey, 4.0F * random_point(i, 0) - vec3(2.0F), random_point(i, 3) - vec3(0.5F),
+                   random_point(i, 6) - vec3(0.5F));
+        if (i % 100 == 99) s.end_part();  // several geometries: triangle numbers must run on
     }
     return *s.finish();
 }
@@ -83,15 +88,18 @@ bool occluded_alone(const EmbreeScene& scene, const Ray& ray) {
 }
 
 /// Packets of n rays, answers by lane; room past the end as the contract asks.
-std::vector<Hit> closest_in_packets(const EmbreeScene& scene, const std::vector<Ray>& rays, int n, std::vector<int>* reports = nullptr) {
+std::vector<Hit> closest_in_packets(const EmbreeScene& scene, const std::vector<Ray>& rays, int n,
+                                    std::vector<int>* reports = nullptr) {
     std::vector<Ray> padded = rays;
     padded.resize(rays.size() + kPacket);
     std::vector<Hit> hits(rays.size());
-    closest(scene.handle(), scene.first_triangles(), n, [&](int i) { return padded[static_cast<std::size_t>(i)]; },
-            [&](int i, const Hit& hit) {
-                hits.at(static_cast<std::size_t>(i)) = hit;
-                if (reports != nullptr) ++reports->at(static_cast<std::size_t>(i));
-            });
+    closest(
+        scene.handle(), scene.first_triangles(), n,
+        [&](int i) { return padded[static_cast<std::size_t>(i)]; },
+        [&](int i, const Hit& hit) {
+            hits.at(static_cast<std::size_t>(i)) = hit;
+            if (reports != nullptr) ++reports->at(static_cast<std::size_t>(i));
+        });
     return hits;
 }
 
@@ -107,30 +115,46 @@ void expect_closest_agrees(const Scene& scene) {
         if (missed) continue;
         ++hit_count;
         ASSERT_NEAR(hits[i].t, alone.ray.tfar, 1.0e-5F * alone.ray.tfar + 1.0e-6F) << i;
-        if (hits[i].triangle != embree.first_triangles()[alone.hit.geomID] + alone.hit.primID) continue;     // two at one distance
+        if (hits[i].triangle != embree.first_triangles()[alone.hit.geomID] + alone.hit.primID)
+            continue;  // two at one distance
         ASSERT_NEAR(hits[i].u, alone.hit.u, 2.0e-3F) << i;
         ASSERT_NEAR(hits[i].v, alone.hit.v, 2.0e-3F) << i;
         // The point by the barycentrics lies on the ray.
         const uvec3 corner = scene.triangles[hits[i].triangle];
-        const vec3 p = (1.0F - hits[i].u - hits[i].v) * scene.positions_m[corner.x] + hits[i].u * scene.positions_m[corner.y] + hits[i].v * scene.positions_m[corner.z];
-        ASSERT_LT(glm::length(p - (rays[i].origin_m + hits[i].t * rays[i].direction)), 1.0e-3F) << i;
+        const vec3 p = (1.0F - hits[i].u - hits[i].v) * scene.positions_m[corner.x] +
+                       hits[i].u * scene.positions_m[corner.y] +
+                       hits[i].v * scene.positions_m[corner.z];
+        ASSERT_LT(glm::length(p - (rays[i].origin_m + hits[i].t * rays[i].direction)), 1.0e-3F)
+            << i;
     }
     EXPECT_GT(hit_count, 1000);
 }
 
-TEST(Packets, ClosestHitsAreThoseOfSingleRaysInASoup) { expect_closest_agrees(triangle_soup()); }
-TEST(Packets, ClosestHitsAreThoseOfSingleRaysInTheCornellBox) { expect_closest_agrees(make_builtin_scene("cornell")); }
+TEST(Packets, ClosestHitsAreThoseOfSingleRaysInASoup) {
+    expect_closest_agrees(triangle_soup());
+}
+TEST(Packets, ClosestHitsAreThoseOfSingleRaysInTheCornellBox) {
+    expect_closest_agrees(make_builtin_scene("cornell"));
+}
 
 TEST(Packets, VisibilityIsThatOfSingleRays) {
     for (const Scene& scene : {triangle_soup(), make_builtin_scene("cornell")}) {
         const EmbreeScene embree(scene, {});
         constexpr int kSamples = 4;
         const std::vector<Ray> rays = random_rays(scene.bounds, 1000 * kSamples + 64);
-        const auto ray_of = [&](int slot, int sample) { return rays[static_cast<std::size_t>(slot * kSamples + sample) % rays.size()]; };
-        const auto weight_of = [](int slot, int sample) { return (slot + sample) % 7 == 0 ? 0.0F : static_cast<float>(1 << sample); };
+        const auto ray_of = [&](int slot, int sample) {
+            return rays[static_cast<std::size_t>(slot * kSamples + sample) % rays.size()];
+        };
+        const auto weight_of = [](int slot, int sample) {
+            return (slot + sample) % 7 == 0 ? 0.0F : static_cast<float>(1 << sample);
+        };
         std::vector<float> sums(1000, -1.0F);
-        const std::uint64_t traced = visible(embree.handle(), 1000, kSamples, [&](int slot, int sample) { return WeightedRay{ray_of(slot, sample), weight_of(slot, sample)}; },
-                                             [&](int slot, float sum) { sums.at(static_cast<std::size_t>(slot)) = sum; });
+        const std::uint64_t traced = visible(
+            embree.handle(), 1000, kSamples,
+            [&](int slot, int sample) {
+                return WeightedRay{ray_of(slot, sample), weight_of(slot, sample)};
+            },
+            [&](int slot, float sum) { sums.at(static_cast<std::size_t>(slot)) = sum; });
         std::uint64_t expected_traced = 0;
         int open = 0;
         for (int slot = 0; slot < 1000; ++slot) {
@@ -138,7 +162,8 @@ TEST(Packets, VisibilityIsThatOfSingleRays) {
             for (int sample = 0; sample < kSamples; ++sample) {
                 if (weight_of(slot, sample) <= 0.0F) continue;
                 ++expected_traced;
-                if (!occluded_alone(embree, ray_of(slot, sample))) expected += weight_of(slot, sample);
+                if (!occluded_alone(embree, ray_of(slot, sample)))
+                    expected += weight_of(slot, sample);
             }
             open += expected > 0.0F ? 1 : 0;
             ASSERT_EQ(sums[static_cast<std::size_t>(slot)], expected) << slot;
@@ -155,9 +180,15 @@ TEST(Packets, ATailReportsItsOwnLanesOnceAndNoOther) {
     for (const int n : {0, 1, 15, 16, 17, 31, 33}) {
         std::vector<int> reports(rays.size());
         closest_in_packets(embree, rays, n, &reports);
-        for (std::size_t i = 0; i < rays.size(); ++i) ASSERT_EQ(reports[i], static_cast<int>(i) < n ? 1 : 0) << n;
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            ASSERT_EQ(reports[i], static_cast<int>(i) < n ? 1 : 0) << n;
         int sums = 0;
-        const std::uint64_t traced = visible(embree.handle(), n, 2, [&](int slot, int) { return WeightedRay{rays[static_cast<std::size_t>(slot)], 1.0F}; }, [&](int, float) { ++sums; });
+        const std::uint64_t traced = visible(
+            embree.handle(), n, 2,
+            [&](int slot, int) {
+                return WeightedRay{rays[static_cast<std::size_t>(slot)], 1.0F};
+            },
+            [&](int, float) { ++sums; });
         EXPECT_EQ(sums, n);
         EXPECT_EQ(traced, 2U * static_cast<std::uint64_t>(n));
     }
@@ -180,7 +211,8 @@ Scene card_before_wall() {
 TEST(AlphaFilter, AHoleIsSeenThroughAndASolidTexelIsNot) {
     const Scene scene = card_before_wall();
     std::vector<Ray> rays(32);
-    for (std::size_t i = 0; i < rays.size(); ++i) rays[i].direction = {-0.97F + 0.06F * static_cast<float>(i), 0.3F, -1.0F};
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        rays[i].direction = {-0.97F + 0.06F * static_cast<float>(i), 0.3F, -1.0F};
     const EmbreeScene masked(scene, {});
     const EmbreeScene opaque(scene, {false});
     const std::vector<Hit> through = closest_in_packets(masked, rays, 32);
@@ -194,7 +226,12 @@ TEST(AlphaFilter, AHoleIsSeenThroughAndASolidTexelIsNot) {
     }
     for (std::size_t i = 0; i < rays.size(); ++i) {
         float open = 0.0F;
-        visible(masked.handle(), 1, 1, [&](int, int) { return WeightedRay{rays[i], 1.0F}; }, [&](int, float sum) { open = sum; });
+        visible(
+            masked.handle(), 1, 1,
+            [&](int, int) {
+                return WeightedRay{rays[i], 1.0F};
+            },
+            [&](int, float sum) { open = sum; });
         EXPECT_EQ(open, rays[i].direction.x < 0.0F ? 1.0F : 0.0F) << i;
     }
 }
@@ -210,7 +247,9 @@ TEST(EmbreeScene, MovesItsPartsToTheirPlaceInTime) {
     const std::vector<Ray> rays(16);
     for (const double time : {0.0, 1.0, 3.0, 0.5}) {
         embree.set_time(time);
-        EXPECT_NEAR(closest_in_packets(embree, rays, 16)[7].t, 2.0 - std::sin(2.0 * 3.14159265358979 * 0.25 * time), 1.0e-5) << time;
+        EXPECT_NEAR(closest_in_packets(embree, rays, 16)[7].t,
+                    2.0 - std::sin(2.0 * 3.14159265358979 * 0.25 * time), 1.0e-5)
+            << time;
     }
 }
 

@@ -17,9 +17,13 @@ Scene bare_scene() {
     return *s.finish();
 }
 
-const PlannedEffect& effect(const EffectPlan& plan, Effect e) { return plan.effects()[static_cast<std::size_t>(e)]; }
+const PlannedEffect& effect(const EffectPlan& plan, Effect e) {
+    return plan.effects()[static_cast<std::size_t>(e)];
+}
 
-EffectPlan plan_of(const Scene& scene, const RenderSettings& settings = settings_of("full")) { return {scene, settings}; }
+EffectPlan plan_of(const Scene& scene, const RenderSettings& settings = settings_of("full")) {
+    return {scene, settings};
+}
 
 TEST(EffectPlan, ABareSceneCallsForNothingAndEachLineSaysWhy) {
     const EffectPlan plan = plan_of(bare_scene());
@@ -44,7 +48,8 @@ TEST(EffectPlan, APointLightNeedsOneInTheSceneAndTheSetting) {
     RenderSettings s = settings_of("full");
     s.lighting.point_lights = false;
     EXPECT_FALSE(plan_of(scene, s).on(Effect::point_light));
-    EXPECT_THAT(effect(plan_of(scene, s), Effect::point_light).because, HasSubstr("lighting.point_lights"));
+    EXPECT_THAT(effect(plan_of(scene, s), Effect::point_light).because,
+                HasSubstr("lighting.point_lights"));
 }
 
 TEST(EffectPlan, AnAreaLightNeedsOneInTheSceneSamplesAndTheSetting) {
@@ -56,7 +61,8 @@ TEST(EffectPlan, AnAreaLightNeedsOneInTheSceneSamplesAndTheSetting) {
     RenderSettings s = settings_of("full");
     s.lighting.area_samples = 0;
     EXPECT_FALSE(plan_of(scene, s).on(Effect::area_light));
-    EXPECT_THAT(effect(plan_of(scene, s), Effect::area_light).because, HasSubstr("lighting.area_samples"));
+    EXPECT_THAT(effect(plan_of(scene, s), Effect::area_light).because,
+                HasSubstr("lighting.area_samples"));
     EXPECT_FALSE(plan_of(scene, s).on(Effect::light_buffer));
     s.lighting.area_samples = 8;
     s.lighting.area_lights = false;
@@ -68,7 +74,8 @@ TEST(EffectPlan, OcclusionNeedsSamplesAndAmbientLightToOcclude) {
     RenderSettings s = settings_of("full");
     s.lighting.ao_samples = 4;
     EXPECT_FALSE(plan_of(scene, s).on(Effect::ambient_occlusion));
-    EXPECT_THAT(effect(plan_of(scene, s), Effect::ambient_occlusion).because, HasSubstr("no ambient light"));
+    EXPECT_THAT(effect(plan_of(scene, s), Effect::ambient_occlusion).because,
+                HasSubstr("no ambient light"));
     scene.ambient = vec3(0.0F, 0.1F, 0.0F);
     EXPECT_TRUE(plan_of(scene, s).on(Effect::ambient_occlusion));
     EXPECT_TRUE(plan_of(scene, s).on(Effect::light_buffer));

@@ -10,7 +10,9 @@
 namespace foverig {
 namespace {
 
-float probability(const FovealFunction& f, double eccentricity_deg) { return f(static_cast<float>(glm::radians(eccentricity_deg))); }
+float probability(const FovealFunction& f, double eccentricity_deg) {
+    return f(static_cast<float>(glm::radians(eccentricity_deg)));
+}
 
 TEST(FovealFunction, IsOneInsideLinearBetweenAndLeastOutside) {
     // Weier 2016 figure 3, at its "medium" configuration (10, 20, 0.05).
@@ -25,7 +27,8 @@ TEST(FovealFunction, IsOneInsideLinearBetweenAndLeastOutside) {
 }
 
 TEST(FovealFunction, NeverRisesAndNeverLeavesItsRange) {
-    for (const auto& [r0, r1, p] : {std::array{5.0, 10.0, 0.01}, std::array{15.0, 30.0, 0.1}, std::array{0.0, 60.0, 0.0}}) {
+    for (const auto& [r0, r1, p] :
+         {std::array{5.0, 10.0, 0.01}, std::array{15.0, 30.0, 0.1}, std::array{0.0, 60.0, 0.0}}) {
         const FovealFunction f(r0, r1, p);
         float last = 1.0F;
         for (int i = 0; i <= 9000; ++i) {
@@ -63,7 +66,9 @@ TEST(FastAngle, AgreesWithAtan2InDoublePrecision) {
         for (const double length : {1.0e-3, 1.0, 700.0}) {
             const auto y = static_cast<float>(std::max(0.0, length * std::sin(angle)));
             const auto x = static_cast<float>(length * std::cos(angle));
-            worst_rad = std::max(worst_rad, std::abs(static_cast<double>(fast_angle_rad(y, x)) - std::atan2(static_cast<double>(y), static_cast<double>(x))));
+            worst_rad = std::max(
+                worst_rad, std::abs(static_cast<double>(fast_angle_rad(y, x)) -
+                                    std::atan2(static_cast<double>(y), static_cast<double>(x))));
         }
     }
     EXPECT_LT(worst_rad, 5.0e-6);

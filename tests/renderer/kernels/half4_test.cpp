@@ -13,20 +13,26 @@ double value_of(std::uint16_t bits) {
     const int exponent = (bits >> 10) & 31;
     const int fraction = bits & 1023;
     const double sign = (bits & 0x8000) != 0 ? -1.0 : 1.0;
-    if (exponent == 31) return fraction != 0 ? std::numeric_limits<double>::quiet_NaN() : sign * std::numeric_limits<double>::infinity();
+    if (exponent == 31)
+        return fraction != 0 ? std::numeric_limits<double>::quiet_NaN()
+                             : sign * std::numeric_limits<double>::infinity();
     if (exponent == 0) return sign * std::ldexp(fraction, -24);
     return sign * std::ldexp(1024 + fraction, exponent - 25);
 }
 
-std::uint16_t lane(Half4 h, int i) { return static_cast<std::uint16_t>(h.bits >> (16 * i)); }
+std::uint16_t lane(Half4 h, int i) {
+    return static_cast<std::uint16_t>(h.bits >> (16 * i));
+}
 
 TEST(Half4, EveryHalfUnpacksToItsValueInEveryLane) {
     for (std::uint32_t bits = 0; bits < 65536; ++bits) {
         const double expected = value_of(static_cast<std::uint16_t>(bits));
         for (int i = 0; i < 4; ++i) {
             const double value = unpack_half4({std::uint64_t{bits} << (16 * i)})[i];
-            if (std::isnan(expected)) ASSERT_TRUE(std::isnan(value));
-            else ASSERT_EQ(value, expected) << bits;
+            if (std::isnan(expected))
+                ASSERT_TRUE(std::isnan(value));
+            else
+                ASSERT_EQ(value, expected) << bits;
         }
     }
 }
@@ -68,7 +74,8 @@ TEST(MeanHalf4, IsTheMeanOfItsTaps) {
     Half4 image[8];
     vec4 sum(0.0F);
     for (int i = 0; i < 8; ++i) {
-        image[i] = pack_half4({static_cast<float>(i), 8.0F * static_cast<float>(i), -static_cast<float>(i * i), 0.5F});
+        image[i] = pack_half4({static_cast<float>(i), 8.0F * static_cast<float>(i),
+                               -static_cast<float>(i * i), 0.5F});
         sum += unpack_half4(image[i]);
     }
     int indices[8 * 3] = {};

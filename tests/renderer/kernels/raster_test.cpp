@@ -13,17 +13,24 @@
 namespace foverig {
 namespace {
 
-float random(std::uint32_t seed, std::uint32_t i) { return unit_float(hash32(seed, i)); }
+float random(std::uint32_t seed, std::uint32_t i) {
+    return unit_float(hash32(seed, i));
+}
 
-/// A grid a little larger than the tile whose vertices stray by less than half a cell: it covers the tile
-/// and no cell folds over. Positions are multiples of 1/`fraction` px.
+/// A grid a little larger than the tile whose vertices stray by less than half a cell: it covers
+/// the tile and no cell folds over. Positions are multiples of 1/`fraction` px.
 MeshArrays jittered_grid(int cells, float fraction, std::uint32_t seed) {
     MeshArrays mesh(cells + 1, cells + 1);
     const float step = 80.0F / static_cast<float>(cells);
     for (int row = 0; row <= cells; ++row) {
         for (int column = 0; column <= cells; ++column) {
             const auto i = static_cast<std::uint32_t>(mesh.at(column, row));
-            const auto place = [&](int k, float jitter) { return std::round((-8.0F + step * (static_cast<float>(k) + 0.6F * (jitter - 0.5F))) * fraction) / fraction; };
+            const auto place = [&](int k, float jitter) {
+                return std::round(
+                           (-8.0F + step * (static_cast<float>(k) + 0.6F * (jitter - 0.5F))) *
+                           fraction) /
+                       fraction;
+            };
             mesh.x_px[i] = place(column, random(seed, 2 * i));
             mesh.y_px[i] = place(row, random(seed, 2 * i + 1));
         }
@@ -34,37 +41,49 @@ MeshArrays jittered_grid(int cells, float fraction, std::uint32_t seed) {
 }
 
 /// Sets the first values and leaves the room past them.
-void place(std::vector<float>& to, std::initializer_list<float> values) { std::copy(values.begin(), values.end(), to.begin()); }
+void place(std::vector<float>& to, std::initializer_list<float> values) {
+    std::copy(values.begin(), values.end(), to.begin());
+}
 
 struct Point {
     double x, y;
 };
 
-double edge(const Point& a, const Point& b, const Point& p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+double edge(const Point& a, const Point& b, const Point& p) {
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
 
 /// How far inside the triangle the point lies, px; negative outside.
 double depth_inside(const Point& a, const Point& b, const Point& c, const Point& p) {
     const double sign = edge(a, b, c) < 0.0 ? -1.0 : 1.0;
-    const auto distance = [&](const Point& s, const Point& e) { return sign * edge(s, e, p) / std::hypot(e.x - s.x, e.y - s.y); };
+    const auto distance = [&](const Point& s, const Point& e) {
+        return sign * edge(s, e, p) / std::hypot(e.x - s.x, e.y - s.y);
+    };
     return std::min({distance(a, b), distance(b, c), distance(c, a)});
 }
 
-Point vertex(const MeshArrays& m, int column, int row) { return {m.x_px[m.at(column, row)], m.y_px[m.at(column, row)]}; }
+Point vertex(const MeshArrays& m, int column, int row) {
+    return {m.x_px[m.at(column, row)], m.y_px[m.at(column, row)]};
+}
 
 TEST(Raster, LeavesNoGapBetweenCellsAtAnySubpixelPosition) {
     for (std::uint32_t seed = 0; seed < 12; ++seed) {
         for (const int cells : {5, 16, 40, 100}) {
-            const MeshArrays mesh = jittered_grid(cells, seed < 6 ? 4096.0F : 2.0F, seed);     // the latter puts edges through centres
+            const MeshArrays mesh = jittered_grid(cells, seed < 6 ? 4096.0F : 2.0F,
+                                                  seed);  // the latter puts edges through centres
             RasterArrays target;
             raster_all({mesh.mesh()}, target.tile());
             for (int y = 0; y < kRasterTile; ++y)
-                for (int x = 0; x < kRasterTile; ++x) ASSERT_GT(target.depth_at(x, y), 0.0F) << x << ' ' << y << " of " << cells << ", seed " << seed;
+                for (int x = 0; x < kRasterTile; ++x)
+                    ASSERT_GT(target.depth_at(x, y), 0.0F)
+                        << x << ' ' << y << " of " << cells << ", seed " << seed;
         }
     }
 }
 
 TEST(Raster, DrawsACellExactlyWhereItIs) {
-    // A quad alone, against exact half-planes in double; only centres within 1e-3 px of an edge may go either way.
+    // A quad alone, against exact half-planes in double; only centres within 1e-3 px of an edge may
+    // go either way.
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
         MeshArrays mesh(2, 2);
         for (std::uint32_t i = 0; i < 4; ++i) {
@@ -83,7 +102,8 @@ TEST(Raster, DrawsACellExactlyWhereItIs) {
                 const Point p{x + 0.5, y + 0.5};
                 const double inside = std::max(depth_inside(a, b, d, p), depth_inside(a, d, c, p));
                 if (std::abs(inside) < 1.0e-3) continue;
-                ASSERT_EQ(target.depth_at(x, y) > 0.0F, inside > 0.0) << x << ' ' << y << " seed " << seed << " inside " << inside;
+                ASSERT_EQ(target.depth_at(x, y) > 0.0F, inside > 0.0)
+                    << x << ' ' << y << " seed " << seed << " inside " << inside;
             }
         }
     }
@@ -117,15 +137,20 @@ TEST(Raster, InterpolatesWithPerspective) {
                     const double wd = edge(a, m, p) / area;
                     const double wa = 1.0 - wm - wd;
                     const double ia = wa * static_cast<double>(mesh.inverse_depth[0]);
-                    const double im = wm * static_cast<double>(mesh.inverse_depth[mesh.at(column, 1 - column)]);
+                    const double im =
+                        wm * static_cast<double>(mesh.inverse_depth[mesh.at(column, 1 - column)]);
                     const double id = wd * static_cast<double>(mesh.inverse_depth[3]);
                     const double inverse = ia + im + id;
-                    const double middle_x = static_cast<double>(mesh.source_x_px[static_cast<std::size_t>(column)]);
-                    const double middle_y = static_cast<double>(mesh.source_y_px[static_cast<std::size_t>(1 - column)]);
+                    const double middle_x =
+                        static_cast<double>(mesh.source_x_px[static_cast<std::size_t>(column)]);
+                    const double middle_y =
+                        static_cast<double>(mesh.source_y_px[static_cast<std::size_t>(1 - column)]);
                     const std::size_t at = RasterArrays::index(x, y);
                     ASSERT_NEAR(target.inverse_depth[at], inverse, 2.0e-5 * inverse);
-                    ASSERT_NEAR(target.source_x_w[at] / target.inverse_depth[at], (512.5 * ia + middle_x * im + 517.5 * id) / inverse, 5.0e-3);
-                    ASSERT_NEAR(target.source_y_w[at] / target.inverse_depth[at], (1020.5 * ia + middle_y * im + 1024.5 * id) / inverse, 5.0e-3);
+                    ASSERT_NEAR(target.source_x_w[at] / target.inverse_depth[at],
+                                (512.5 * ia + middle_x * im + 517.5 * id) / inverse, 5.0e-3);
+                    ASSERT_NEAR(target.source_y_w[at] / target.inverse_depth[at],
+                                (1020.5 * ia + middle_y * im + 1024.5 * id) / inverse, 5.0e-3);
                 }
             }
         }
@@ -137,7 +162,8 @@ TEST(Raster, TheNearestSurfaceWinsInWhateverOrder) {
     MeshArrays far = jittered_grid(7, 4096.0F, 2);
     for (int row = 0; row <= 10; ++row)
         for (int column = 0; column <= 10; ++column)
-            if (row < 5) near.inverse_depth[near.at(column, row)] = 0.0F;      // unseen: the far one shows
+            if (row < 5)
+                near.inverse_depth[near.at(column, row)] = 0.0F;  // unseen: the far one shows
     std::fill(far.inverse_depth.begin(), far.inverse_depth.end(), 0.25F);
     RasterArrays near_first;
     raster_all({near.mesh()}, near_first.tile());
@@ -193,7 +219,8 @@ TEST(Raster, ScalesMeshPixelsToTargetPixels) {
     RasterArrays target;
     raster_all({mesh.mesh(), 0.25F, 0.5F}, target.tile());
     for (int y = 0; y < kRasterTile; ++y)
-        for (int x = 0; x < kRasterTile; ++x) ASSERT_EQ(target.depth_at(x, y) > 0.0F, x < 10 && y < 40) << x << ' ' << y;
+        for (int x = 0; x < kRasterTile; ++x)
+            ASSERT_EQ(target.depth_at(x, y) > 0.0F, x < 10 && y < 40) << x << ' ' << y;
     EXPECT_NEAR(target.source_x_w[RasterArrays::index(3, 7)], 14.0F, 1.0e-4F);
     EXPECT_NEAR(target.source_y_w[RasterArrays::index(3, 7)], 15.0F, 1.0e-4F);
 }
@@ -203,7 +230,7 @@ TEST(Raster, KeepsTheAreaOfANewPixelInTheOldImage) {
     place(mesh.x_px, {0.0F, 32.0F, 0.0F, 32.0F});
     place(mesh.y_px, {0.0F, 0.0F, 16.0F, 16.0F});
     place(mesh.source_x_px, {100.0F, 132.0F});
-    place(mesh.source_y_px, {50.0F, 114.0F});      // 32 x 64 old pixels on 32 x 16 new ones
+    place(mesh.source_y_px, {50.0F, 114.0F});  // 32 x 64 old pixels on 32 x 16 new ones
     RasterArrays target;
     raster_all({mesh.mesh()}, target.tile());
     EXPECT_NEAR(target.magnification[RasterArrays::index(9, 9)], 4.0F, 1.0e-5F);
@@ -226,9 +253,11 @@ TEST(VisitBlocks, FindsEveryCellThatATileShows) {
     const auto count = static_cast<std::size_t>((per_row * 39 + 7) / 8 * 8);
     std::vector<std::uint8_t> boxes(4 * count);
     std::uint8_t* const p = boxes.data();
-    const CellBlocks blocks{p, p + count, p + 2 * count, p + 3 * count, per_row, static_cast<int>(count)};
+    const CellBlocks blocks{
+        p, p + count, p + 2 * count, p + 3 * count, per_row, static_cast<int>(count)};
     std::fill(p, p + count, std::uint8_t{255});
-    const BoundBlocks bound{mesh.mesh(), blocks, kColumns, kRows, 1.0F / 64.0F, 64.0F * kColumns, 64.0F * kRows};
+    const BoundBlocks bound{mesh.mesh(),  blocks,           kColumns,     kRows,
+                            1.0F / 64.0F, 64.0F * kColumns, 64.0F * kRows};
     for (int row = 0; row < 39; ++row) bound(row);
     for (int tile = 0; tile < kColumns * kRows; ++tile) {
         RasterFrame frame{mesh.mesh()};

@@ -18,11 +18,21 @@ constexpr float kGrazing = 0.1F;
 
 /// A coarse view that shows a flat, frontal, even wall 2 m away; a test disturbs it.
 struct Coarse {
-    Coarse() : inverse_depth(kColumns * kRows, 0.5F), luminance(kColumns * kRows, 0.4F), facing(kColumns * kRows, 1.0F), marked(kColumns * kRows, 77) {}
+    Coarse()
+        : inverse_depth(kColumns * kRows, 0.5F),
+          luminance(kColumns * kRows, 0.4F),
+          facing(kColumns * kRows, 1.0F),
+          marked(kColumns * kRows, 77) {}
 
-    static std::size_t at(int column, int row) { return static_cast<std::size_t>(row * kColumns + column); }
+    static std::size_t at(int column, int row) {
+        return static_cast<std::size_t>(row * kColumns + column);
+    }
     void mark() {
-        const MarkResampling kernel{{inverse_depth.data(), luminance.data(), facing.data(), marked.data(), kColumns, kRows}, kDepthStep, kLuminanceStep, kGrazing};
+        const MarkResampling kernel{
+            {inverse_depth.data(), luminance.data(), facing.data(), marked.data(), kColumns, kRows},
+            kDepthStep,
+            kLuminanceStep,
+            kGrazing};
         for (int row = 0; row < kRows; ++row) kernel(row);
     }
     bool is_marked(int column, int row) const { return marked[at(column, row)] != 0; }
@@ -47,10 +57,12 @@ TEST(MarkResampling, AFlatFrontalWallIsNotMarked) {
 TEST(MarkResampling, ADepthStepMarksBothItsSidesAndNothingElse) {
     Coarse c;
     for (int row = 0; row < kRows; ++row)
-        for (int column = 10; column < kColumns; ++column) c.inverse_depth[Coarse::at(column, row)] = 0.5F / 1.2F;
+        for (int column = 10; column < kColumns; ++column)
+            c.inverse_depth[Coarse::at(column, row)] = 0.5F / 1.2F;
     c.mark();
     for (int row = 0; row < kRows; ++row)
-        for (int column = 0; column < kColumns; ++column) ASSERT_EQ(c.is_marked(column, row), column == 9 || column == 10) << column;
+        for (int column = 0; column < kColumns; ++column)
+            ASSERT_EQ(c.is_marked(column, row), column == 9 || column == 10) << column;
 }
 
 TEST(MarkResampling, TheDepthStepIsRelativeToTheNearerDepth) {
@@ -67,17 +79,19 @@ TEST(MarkResampling, TheDepthStepIsRelativeToTheNearerDepth) {
 
 TEST(MarkResampling, ALuminanceStepMarks) {
     Coarse c;
-    c.luminance[Coarse::at(0, 0)] = 0.54F;       // below the threshold
+    c.luminance[Coarse::at(0, 0)] = 0.54F;  // below the threshold
     c.luminance[Coarse::at(12, 7)] = 0.56F;
     c.mark();
     EXPECT_EQ(c.count(), 5);
-    for (const auto& [column, row] : {std::pair{12, 7}, std::pair{11, 7}, std::pair{13, 7}, std::pair{12, 6}, std::pair{12, 8}}) EXPECT_TRUE(c.is_marked(column, row));
+    for (const auto& [column, row] :
+         {std::pair{12, 7}, std::pair{11, 7}, std::pair{13, 7}, std::pair{12, 6}, std::pair{12, 8}})
+        EXPECT_TRUE(c.is_marked(column, row));
 }
 
 TEST(MarkResampling, AGrazingSurfaceMarksItselfAlone) {
     Coarse c;
     c.facing[Coarse::at(3, 4)] = 0.09F;
-    c.facing[Coarse::at(8, 8)] = -0.5F;          // an interpolated normal turned away
+    c.facing[Coarse::at(8, 8)] = -0.5F;  // an interpolated normal turned away
     c.facing[Coarse::at(15, 15)] = 0.11F;
     c.mark();
     EXPECT_EQ(c.count(), 2);
@@ -103,7 +117,8 @@ TEST(MarkResampling, TheImagesOwnBorderIsNoStep) {
     EXPECT_EQ(c.count(), 0);
 }
 
-/// The resolve of one row against a one-coloured last frame and support normals that all point along `normal`.
+/// The resolve of one row against a one-coloured last frame and support normals that all point
+/// along `normal`.
 float resolved_facing(const vec3& normal, float* luminance = nullptr) {
     const EyeView view{100, 100};
     RasterArrays raster;
@@ -119,21 +134,25 @@ float resolved_facing(const vec3& normal, float* luminance = nullptr) {
     support.columns = 10;
     support.rows = 10;
     Coarse c;
-    const CoarseView coarse{c.inverse_depth.data(), c.luminance.data(), c.facing.data(), c.marked.data(), 10, 10};
-    const ResolveCoarse kernel{raster.tile(), coarse, colour.data(), 100, 100, support, 9.0F / 99.0F, 9.0F / 99.0F, EyeRays(view), 10.0F, 10.0F, 0, 0, 10};
+    const CoarseView coarse{
+        c.inverse_depth.data(), c.luminance.data(), c.facing.data(), c.marked.data(), 10, 10};
+    const ResolveCoarse kernel{
+        raster.tile(), coarse,        colour.data(), 100,   100, support, 9.0F / 99.0F,
+        9.0F / 99.0F,  EyeRays(view), 10.0F,         10.0F, 0,   0,       10};
     kernel(5);
     if (luminance != nullptr) *luminance = c.luminance[53];
     EXPECT_EQ(c.inverse_depth[53], 0.25F);
-    EXPECT_EQ(c.inverse_depth[54], 0.0F);        // nothing was drawn there
+    EXPECT_EQ(c.inverse_depth[54], 0.0F);  // nothing was drawn there
     return c.facing[53];
 }
 
 TEST(ResolveCoarse, FacingIsTheCosineBetweenNormalAndDirectionToTheEye) {
-    // The coarse pixel's middle is image (35, 55) of 100 x 100 at tangents -1..1: direction (-0.3, -0.1, -1).
+    // The coarse pixel's middle is image (35, 55) of 100 x 100 at tangents -1..1: direction (-0.3,
+    // -0.1, -1).
     const dvec3 to_eye = glm::normalize(dvec3(0.3, 0.1, 1.0));
     EXPECT_NEAR(resolved_facing({0.0F, 0.0F, 1.0F}), to_eye.z, 1.0e-3);
     EXPECT_NEAR(resolved_facing({0.0F, 1.0F, 0.0F}), to_eye.y, 1.0e-3);
-    EXPECT_NEAR(resolved_facing({0.0F, 0.0F, 0.0F}), 1.0, 1.0e-6);       // sky faces everything
+    EXPECT_NEAR(resolved_facing({0.0F, 0.0F, 0.0F}), 1.0, 1.0e-6);  // sky faces everything
 }
 
 TEST(ResolveCoarse, LuminanceIsTheRootOfTheLastFramesThere) {

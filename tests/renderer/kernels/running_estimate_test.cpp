@@ -13,7 +13,8 @@ TEST(SmallestWeight, RunsFromLeastToMostExponentially) {
     const SmallestWeight k(0.1, 1.0, 30);
     EXPECT_NEAR(k(1), 0.1, 1.0e-7);
     EXPECT_NEAR(k(30), 1.0, 1.0e-6);
-    for (std::uint32_t dt = 1; dt <= 30; ++dt) EXPECT_NEAR(k(dt), 0.1 * std::pow(10.0, (dt - 1.0) / 29.0), 1.0e-6) << dt;
+    for (std::uint32_t dt = 1; dt <= 30; ++dt)
+        EXPECT_NEAR(k(dt), 0.1 * std::pow(10.0, (dt - 1.0) / 29.0), 1.0e-6) << dt;
 }
 
 TEST(SmallestWeight, StaysAtItsMostBeyondTheLongestAge) {
@@ -58,7 +59,8 @@ TEST(AccumulatedSamples, SettleWhereTheSmallestWeightHolds) {
     // Fixed point of rho = 1/(k^2 + (1-k)^2/rho): rho = (1 - (1-k)^2)/k^2 = (2 - k)/k.
     const double k = 0.1;
     float rho = 0.0F;
-    for (int n = 0; n < 500; ++n) rho = accumulated_samples(rho, new_sample_weight(rho, static_cast<float>(k)));
+    for (int n = 0; n < 500; ++n)
+        rho = accumulated_samples(rho, new_sample_weight(rho, static_cast<float>(k)));
     EXPECT_NEAR(rho, (2.0 - k) / k, 1.0e-3);
 }
 
@@ -82,7 +84,8 @@ TEST(RunningEstimate, OfIndependentSamplesHasTheVarianceThatRhoSays) {
 }
 
 TEST(CacheInfo, KeepsAlphaAsHalfAndTheFrame) {
-    for (const float alpha : {0.0F, 0.05F, 0.1F, 0.333F, 1.0F}) EXPECT_NEAR(info_alpha(pack_info(alpha, 0xABCDU)), alpha, alpha * 0x1.0p-11F);
+    for (const float alpha : {0.0F, 0.05F, 0.1F, 0.333F, 1.0F})
+        EXPECT_NEAR(info_alpha(pack_info(alpha, 0xABCDU)), alpha, alpha * 0x1.0p-11F);
     EXPECT_EQ(age_frames(pack_info(0.5F, 100U), 103U), 3U);
 }
 

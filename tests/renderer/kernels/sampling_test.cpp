@@ -13,7 +13,8 @@
 namespace foverig {
 namespace {
 
-/// Whether 2^log2_n points starting at `first` hold each elementary interval 2^-a x 2^-(log2_n - a) exactly once.
+/// Whether 2^log2_n points starting at `first` hold each elementary interval 2^-a x 2^-(log2_n - a)
+/// exactly once.
 bool is_net(std::uint32_t first, int log2_n, std::uint32_t seed) {
     const std::uint32_t n = 1U << log2_n;
     for (int a = 0; a <= log2_n; ++a) {
@@ -21,7 +22,8 @@ bool is_net(std::uint32_t first, int log2_n, std::uint32_t seed) {
         for (std::uint32_t i = first; i < first + n; ++i) {
             const vec2 p = scrambled_point(i, seed);
             const auto column = static_cast<std::uint32_t>(std::ldexp(static_cast<double>(p.x), a));
-            const auto row = static_cast<std::uint32_t>(std::ldexp(static_cast<double>(p.y), log2_n - a));
+            const auto row =
+                static_cast<std::uint32_t>(std::ldexp(static_cast<double>(p.y), log2_n - a));
             boxes.insert((column << (log2_n - a)) | row);
         }
         if (boxes.size() != n) return false;
@@ -31,11 +33,13 @@ bool is_net(std::uint32_t first, int log2_n, std::uint32_t seed) {
 
 TEST(ScrambledPoint, EachPatternsRunOfSixteenIsANet) {
     for (const std::uint32_t seed : {0U, 1U, 0xDEADBEEFU, 0x12345678U})
-        for (std::uint32_t pattern = 0; pattern < kPatterns; ++pattern) EXPECT_TRUE(is_net(16 * pattern, 4, seed)) << pattern << ' ' << seed;
+        for (std::uint32_t pattern = 0; pattern < kPatterns; ++pattern)
+            EXPECT_TRUE(is_net(16 * pattern, 4, seed)) << pattern << ' ' << seed;
 }
 
 TEST(ScrambledPoint, AllPatternsTogetherAreANetOf256) {
-    for (const std::uint32_t seed : {0U, 1U, 0xDEADBEEFU, 0x12345678U}) EXPECT_TRUE(is_net(0, 8, seed)) << seed;
+    for (const std::uint32_t seed : {0U, 1U, 0xDEADBEEFU, 0x12345678U})
+        EXPECT_TRUE(is_net(0, 8, seed)) << seed;
 }
 
 TEST(ScrambledPoint, ARunOffTheGridIsNoNet) {
@@ -83,8 +87,10 @@ TEST(Hash32, OfPairsIsUniformAndItsDimensionsIndependent) {
     constexpr std::uint32_t kGrid = 320;
     std::vector<double> counts(kSide * kSide);
     for (std::uint32_t a = 0; a < kGrid; ++a)
-        for (std::uint32_t b = 0; b < kGrid; ++b) ++counts[(hash32(a, b) >> 28U) * kSide + (hash32(a, b + 1) >> 28U)];
-    const std::vector<double> expected(kSide * kSide, static_cast<double>(kGrid) * kGrid / (kSide * kSide));
+        for (std::uint32_t b = 0; b < kGrid; ++b)
+            ++counts[(hash32(a, b) >> 28U) * kSide + (hash32(a, b + 1) >> 28U)];
+    const std::vector<double> expected(kSide * kSide,
+                                       static_cast<double>(kGrid) * kGrid / (kSide * kSide));
     EXPECT_LT(chi_square(counts, expected), chi_square_bound(kSide * kSide - 1));
 }
 
@@ -105,7 +111,8 @@ TEST(CosineDirection, IsUnitAndAboveTheSurface) {
 TEST(CosineDirection, HasTheMeanOfTheCosineLobe) {
     dvec3 mean(0.0);
     constexpr std::uint32_t kDraws = 1U << 16U;
-    for (std::uint32_t i = 0; i < kDraws; ++i) mean += dvec3(cosine_direction(scrambled_point(i, 11U)));
+    for (std::uint32_t i = 0; i < kDraws; ++i)
+        mean += dvec3(cosine_direction(scrambled_point(i, 11U)));
     mean /= kDraws;
     EXPECT_NEAR(mean.x, 0.0, 1.0e-4);
     EXPECT_NEAR(mean.y, 0.0, 1.0e-4);
@@ -121,12 +128,15 @@ TEST(CosineDirection, HasDensityCosineOverPi) {
     std::vector<double> expected(counts.size());
     for (int band = 0; band < kBands; ++band)
         for (int azimuth = 0; azimuth < kAzimuths; ++azimuth)
-            expected[static_cast<std::size_t>(band * kAzimuths + azimuth)] = kDraws * (2.0 * band + 1.0) / (kBands * kBands) / kAzimuths;
+            expected[static_cast<std::size_t>(band * kAzimuths + azimuth)] =
+                kDraws * (2.0 * band + 1.0) / (kBands * kBands) / kAzimuths;
     for (std::uint32_t i = 0; i < kDraws; ++i) {
         const vec3 d = cosine_direction({unit_float(hash32(i, 1U)), unit_float(hash32(i, 2U))});
-        const double turn = std::atan2(static_cast<double>(d.y), static_cast<double>(d.x)) / (2.0 * std::numbers::pi);
+        const double turn = std::atan2(static_cast<double>(d.y), static_cast<double>(d.x)) /
+                            (2.0 * std::numbers::pi);
         const int band = std::min(static_cast<int>(d.z * kBands), kBands - 1);
-        const int azimuth = std::min(static_cast<int>((turn < 0.0 ? turn + 1.0 : turn) * kAzimuths), kAzimuths - 1);
+        const int azimuth =
+            std::min(static_cast<int>((turn < 0.0 ? turn + 1.0 : turn) * kAzimuths), kAzimuths - 1);
         ++counts[static_cast<std::size_t>(band * kAzimuths + azimuth)];
     }
     EXPECT_LT(chi_square(counts, expected), chi_square_bound(kBands * kAzimuths - 1));
@@ -161,7 +171,8 @@ TEST(FrameAbout, HoldsAtThePolesAndOnTheEquator) {
     expect_orthonormal({1.0F, 0.0F, -0.0F});
     expect_orthonormal({0.0F, -1.0F, 0.0F});
     for (const double tilt : {1.0e-1, 1.0e-2, 1.0e-3, 1.0e-4, 1.0e-6, 1.0e-9, 1.0e-20})
-        expect_orthonormal(vec3(dvec3(std::sin(tilt) * 0.6, std::sin(tilt) * 0.8, -std::cos(tilt))));
+        expect_orthonormal(
+            vec3(dvec3(std::sin(tilt) * 0.6, std::sin(tilt) * 0.8, -std::cos(tilt))));
 }
 
 TEST(PatternOf, FourByFourNeighboursHaveSixteenPatternsWhereverTheBlockLies) {

@@ -21,20 +21,31 @@ struct Shaded {
     Shaded() : rows(static_cast<std::size_t>(kRows) * kStride) {}
     Surfaces surfaces() { return {rows.data(), kStride}; }
     /// Bits of the rows that exist with and without a light buffer.
-    std::vector<float> common() const { return {rows.begin(), rows.begin() + kRowsWithoutLight * kStride}; }
+    std::vector<float> common() const {
+        return {rows.begin(), rows.begin() + kRowsWithoutLight * kStride};
+    }
     std::vector<float> rows;
 };
 
-bool same_bits(const std::vector<float>& a, const std::vector<float>& b) { return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0; }
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
 
 /// Hits strewn over all triangles of the Cornell box, which has no texture.
 class ShadeSurfaceBits : public testing::Test {
   protected:
-    ShadeSurfaceBits() : scene(make_builtin_scene("cornell", 0.1)), embree(scene, {}), eye(EyeView{64, 64}), pixels(kStride), hits(kStride), slots(kStride) {
+    ShadeSurfaceBits()
+        : scene(make_builtin_scene("cornell", 0.1)),
+          embree(scene, {}),
+          eye(EyeView{64, 64}),
+          pixels(kStride),
+          hits(kStride),
+          slots(kStride) {
         eye.origin_m = {0.1F, 2.0F, 4.0F};
         for (std::uint32_t i = 0; i < kCount; ++i) {
             const float u = unit_float(hash32(i, 1U));
-            hits[i] = {1.0F + unit_float(hash32(i, 2U)), u, (1.0F - u) * unit_float(hash32(i, 3U)), hash32(i, 4U) % static_cast<std::uint32_t>(scene.triangles.size())};
+            hits[i] = {1.0F + unit_float(hash32(i, 2U)), u, (1.0F - u) * unit_float(hash32(i, 3U)),
+                       hash32(i, 4U) % static_cast<std::uint32_t>(scene.triangles.size())};
             slots[i] = i % 9 == 0 ? kMiss : i;
             pixels[i] = pack_pixel(i % 64, i / 64);
         }
@@ -43,7 +54,9 @@ class ShadeSurfaceBits : public testing::Test {
     template <bool kTextures, bool kOcclusion, bool kLightBuffer>
     Shaded shade() {
         Shaded s;
-        const ShadeSurface<kTextures, kOcclusion, kLightBuffer> kernel{embree.view(), eye, view_of(pixels), view_of(hits), view_of(slots), s.surfaces(), -5.0F};
+        const ShadeSurface<kTextures, kOcclusion, kLightBuffer> kernel{
+            embree.view(), eye,  view_of(pixels), view_of(hits), view_of(slots),
+            s.surfaces(),  -5.0F};
         for (int i = 0; i < kCount; ++i) kernel(i);
         return s;
     }
@@ -52,7 +65,14 @@ class ShadeSurfaceBits : public testing::Test {
     std::vector<std::uint64_t> compose(Shaded& s) {
         std::vector<Half4> image(64 * 64);
         NumericCounts counts;
-        const ComposePixels<kOcclusion, kLightBuffer> kernel{s.surfaces(), view_of(pixels), view_of(slots), scene.ambient, scene.background, view_of(image), 64, &counts};
+        const ComposePixels<kOcclusion, kLightBuffer> kernel{s.surfaces(),
+                                                             view_of(pixels),
+                                                             view_of(slots),
+                                                             scene.ambient,
+                                                             scene.background,
+                                                             view_of(image),
+                                                             64,
+                                                             &counts};
         for (int i = 0; i < kCount; ++i) kernel(i);
         std::vector<std::uint64_t> bits;
         for (const Half4& h : image) bits.push_back(h.bits);
@@ -75,7 +95,8 @@ TEST_F(ShadeSurfaceBits, TextureCodeChangesNothingInASceneWithoutTextures) {
 }
 
 TEST_F(ShadeSurfaceBits, ALightBufferChangesNoOtherRow) {
-    EXPECT_TRUE(same_bits(shade<false, false, true>().common(), shade<false, false, false>().common()));
+    EXPECT_TRUE(
+        same_bits(shade<false, false, true>().common(), shade<false, false, false>().common()));
 }
 
 TEST_F(ShadeSurfaceBits, ALightBufferWithoutLightShowsTheSameImage) {

@@ -15,7 +15,8 @@ std::shared_ptr<const Scene> room(bool area_light, bool ambient) {
     s.add_quad(white, {-3, 0, 3}, {6, 0, 0}, {0, 0, -6});
     s.add_quad(white, {-3, 0, -3}, {6, 0, 0}, {0, 4, 0});
     s.scene().point_lights.push_back({{0, 2, 0}, vec3(3.0F)});
-    if (area_light) s.scene().area_lights.push_back({{-1, 3, -1}, {2, 0, 0}, {0, 0, 2}, vec3(2.0F)});
+    if (area_light)
+        s.scene().area_lights.push_back({{-1, 3, -1}, {2, 0, 0}, {0, 0, 2}, vec3(2.0F)});
     if (ambient) s.scene().ambient = vec3(0.2F);
     return s.finish();
 }
@@ -29,7 +30,8 @@ struct Outcome {
     Image image;
 };
 
-Outcome run(const std::shared_ptr<const Scene>& scene, const RenderSettings& settings, int frames = 3) {
+Outcome run(const std::shared_ptr<const Scene>& scene, const RenderSettings& settings,
+            int frames = 3) {
     const auto renderer = make_renderer(scene, settings);
     Outcome r;
     for (int f = 0; f < frames; ++f) {
@@ -47,12 +49,14 @@ class EffectsOff : public testing::TestWithParam<const char*> {};
 TEST_P(EffectsOff, LaunchNothing) {
     RenderSettings settings = settings_of(GetParam());
     const Outcome bare = run(room(false, false), settings);
-    for (const char* name : {"shadow_area", "ambient_occlusion", "post_process", "move_geometry"}) EXPECT_EQ(bare.passes.count(name), 0U) << name;
+    for (const char* name : {"shadow_area", "ambient_occlusion", "post_process", "move_geometry"})
+        EXPECT_EQ(bare.passes.count(name), 0U) << name;
     EXPECT_EQ(bare.passes.count("shadow_point"), 1U);
     EXPECT_EQ(bare.rays.ao, 0U);
     settings.lighting.ao_samples = 2;
     const Outcome rich = run(room(true, true), settings);
-    for (const char* name : {"shadow_area", "ambient_occlusion", "shadow_point"}) EXPECT_EQ(rich.passes.count(name), 1U) << name;
+    for (const char* name : {"shadow_area", "ambient_occlusion", "shadow_point"})
+        EXPECT_EQ(rich.passes.count(name), 1U) << name;
     EXPECT_GT(rich.rays.ao, 0U);
     settings.effects["point_light"] = "off";
     EXPECT_EQ(run(room(true, true), settings).passes.count("shadow_point"), 0U);
@@ -66,9 +70,11 @@ TEST_P(EffectsOff, EveryPassOfThePlanIsLaunchedAndNoneThatIsOff) {
         const auto renderer = make_renderer(scene, settings);
         std::set<std::string> launched;
         for (std::uint32_t f = 0; f < 3; ++f)
-            for (const PassTime& p : renderer->render(frame_of(kView, f)).passes) launched.insert(p.name);
+            for (const PassTime& p : renderer->render(frame_of(kView, f)).passes)
+                launched.insert(p.name);
         for (const PlannedEffect& e : renderer->plan().effects()) {
-            for (const std::string& pass : e.passes) EXPECT_EQ(launched.count(pass), 1U) << e.name << ' ' << pass;
+            for (const std::string& pass : e.passes)
+                EXPECT_EQ(launched.count(pass), 1U) << e.name << ' ' << pass;
             EXPECT_EQ(e.measured_ms >= 0.0, !e.passes.empty()) << e.name;
         }
     }
@@ -117,7 +123,8 @@ TEST_P(EffectsOff, AnAlphaTestOfSolidTexelsChangesNoBit) {
     EXPECT_TRUE(run(scene, settings).image.pixels == tested.image.pixels);
 }
 
-INSTANTIATE_TEST_SUITE_P(Pipelines, EffectsOff, testing::Values("full", "reprojected", "reference"));
+INSTANTIATE_TEST_SUITE_P(Pipelines, EffectsOff,
+                         testing::Values("full", "reprojected", "reference"));
 
 TEST(Full, ThreadsAndRunsDoNotChangeABit) {
     const auto scene = std::make_shared<const Scene>(make_builtin_scene("cornell", 0.25));
@@ -138,7 +145,8 @@ TEST(MakeRenderer, UnknownNamesAreRefusedWithTheKnownOnes) {
         make_renderer(scene, settings);
         FAIL();
     } catch (const std::invalid_argument& e) {
-        for (const std::string& name : pipeline_names()) EXPECT_NE(std::string(e.what()).find(name), std::string::npos);
+        for (const std::string& name : pipeline_names())
+            EXPECT_NE(std::string(e.what()).find(name), std::string::npos);
     }
     settings = settings_of("full");
     settings.backend = "abacus";

@@ -22,18 +22,22 @@ Image pattern(int width_px, int height_px, float shift = 0.0F) {
     Image image{width_px, height_px, {}};
     for (int y = 0; y < height_px; ++y)
         for (int x = 0; x < width_px; ++x)
-            image.pixels.emplace_back(shift + static_cast<float>(x), 100.0F + static_cast<float>(y), static_cast<float>(x * x - 3 * y * x));
+            image.pixels.emplace_back(shift + static_cast<float>(x), 100.0F + static_cast<float>(y),
+                                      static_cast<float>(x * x - 3 * y * x));
     return image;
 }
 
 std::vector<ColourSources> table(const std::function<ColourSources(float x, float y)>& source) {
     std::vector<ColourSources> t;
     for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) t.push_back(source(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F));
+        for (int x = 0; x < kWidth; ++x)
+            t.push_back(source(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F));
     return t;
 }
 
-ColourSources same_place(float x, float y) { return {vec2(x, y), vec2(x, y), vec2(x, y)}; }
+ColourSources same_place(float x, float y) {
+    return {vec2(x, y), vec2(x, y), vec2(x, y)};
+}
 
 TEST(LensDistortion, AnIdentityTableReturnsTheImage) {
     const Tables tables{table(same_place)};
@@ -46,20 +50,26 @@ TEST(LensDistortion, AnIdentityTableReturnsTheImage) {
 
 TEST(LensDistortion, OutsideAndNanAreBlackAColourAtATime) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const auto source = [&](float x, float y) -> ColourSources { return {vec2(x - 10.0F, y), vec2(x, y + 5.0F), x > 30.0F ? vec2(nan, y) : vec2(x, y)}; };
+    const auto source = [&](float x, float y) -> ColourSources {
+        return {vec2(x - 10.0F, y), vec2(x, y + 5.0F), x > 30.0F ? vec2(nan, y) : vec2(x, y)};
+    };
     const Tables tables{table(source)};
     const Images eyes{pattern(kWidth, kHeight, 1.0F)};
     const Image panel = LensDistortion(kWidth, kHeight, tables).apply(eyes);
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
-            const vec3 expected(x >= 10 ? eyes[0].at(x - 10, y).x : 0.0F, y + 5 < kHeight ? eyes[0].at(x, y + 5).y : 0.0F, x < 30 ? eyes[0].at(x, y).z : 0.0F);
+            const vec3 expected(x >= 10 ? eyes[0].at(x - 10, y).x : 0.0F,
+                                y + 5 < kHeight ? eyes[0].at(x, y + 5).y : 0.0F,
+                                x < 30 ? eyes[0].at(x, y).z : 0.0F);
             ASSERT_EQ(panel.at(x, y), expected) << x << ' ' << y;
         }
     }
 }
 
 TEST(LensDistortion, ALookupBetweenPixelsIsBilinearInEachColoursOwnPlace) {
-    const auto source = [](float x, float y) -> ColourSources { return {vec2(x + 0.25F, y), vec2(x, y - 0.5F), vec2(0.5F * x, 0.5F * y)}; };
+    const auto source = [](float x, float y) -> ColourSources {
+        return {vec2(x + 0.25F, y), vec2(x, y - 0.5F), vec2(0.5F * x, 0.5F * y)};
+    };
     const Tables tables{table(source)};
     const Images eyes{pattern(kWidth, kHeight)};
     const Image& eye = eyes[0];
@@ -74,7 +84,9 @@ TEST(LensDistortion, ALookupBetweenPixelsIsBilinearInEachColoursOwnPlace) {
             const int y0 = static_cast<int>(fy);
             const double u = fx - x0;
             const double v = fy - y0;
-            const double expected = (1 - u) * (1 - v) * eye.at(x0, y0).z + u * (1 - v) * eye.at(x0 + 1, y0).z + (1 - u) * v * eye.at(x0, y0 + 1).z + u * v * eye.at(x0 + 1, y0 + 1).z;
+            const double expected =
+                (1 - u) * (1 - v) * eye.at(x0, y0).z + u * (1 - v) * eye.at(x0 + 1, y0).z +
+                (1 - u) * v * eye.at(x0, y0 + 1).z + u * v * eye.at(x0 + 1, y0 + 1).z;
             ASSERT_NEAR(panel.at(x, y).z, expected, 1.0e-4 * (1.0 + std::abs(expected)));
         }
     }
@@ -82,7 +94,8 @@ TEST(LensDistortion, ALookupBetweenPixelsIsBilinearInEachColoursOwnPlace) {
 
 TEST(LensDistortion, TheImagesVeryEdgeIsStillInsideAndHeld) {
     const auto source = [](float x, float y) -> ColourSources {
-        return {vec2(0.0F, y), vec2(static_cast<float>(kWidth), static_cast<float>(kHeight)), vec2(x, -1.0e-3F)};
+        return {vec2(0.0F, y), vec2(static_cast<float>(kWidth), static_cast<float>(kHeight)),
+                vec2(x, -1.0e-3F)};
     };
     const Tables tables{table(source)};
     const Images eyes{pattern(kWidth, kHeight, 7.0F)};
@@ -107,10 +120,13 @@ TEST(LensDistortion, EyesLieSideBySideAndAnEmptyOneIsBlack) {
 }
 
 TEST(LensDistortion, ThreadsDoNotChangeABit) {
-    const auto source = [](float x, float y) -> ColourSources { return {vec2(1.01F * x, y), vec2(x, 0.97F * y), vec2(0.9F * x + 0.1F * y, y)}; };
+    const auto source = [](float x, float y) -> ColourSources {
+        return {vec2(1.01F * x, y), vec2(x, 0.97F * y), vec2(0.9F * x + 0.1F * y, y)};
+    };
     const Tables tables{table(source)};
     const Images eyes{pattern(53, 19)};
-    EXPECT_EQ(LensDistortion(kWidth, kHeight, tables, 1).apply(eyes).pixels, LensDistortion(kWidth, kHeight, tables, 4).apply(eyes).pixels);
+    EXPECT_EQ(LensDistortion(kWidth, kHeight, tables, 1).apply(eyes).pixels,
+              LensDistortion(kWidth, kHeight, tables, 4).apply(eyes).pixels);
 }
 
 TEST(LensDistortion, ATableOfTheWrongSizeIsRefused) {

@@ -10,7 +10,8 @@ namespace foverig {
 namespace {
 
 struct Fixture {
-    Fixture(int area_lights, int area_samples, int ao_samples) : scene(make(area_lights)), settings(settings_of("full")) {
+    Fixture(int area_lights, int area_samples, int ao_samples)
+        : scene(make(area_lights)), settings(settings_of("full")) {
         settings.lighting.area_samples = area_samples;
         settings.lighting.ao_samples = ao_samples;
         plan = EffectPlan(scene, settings);
@@ -27,14 +28,20 @@ struct Fixture {
     Scene scene;
     RenderSettings settings;
     EffectPlan plan;
-    MemoryCount memory;
+    EffectMemory memory;
     LightTables tables;
 };
 
 TEST(LightTables, AllocateOnlyWhatThePlanHasOn) {
-    EXPECT_EQ(Fixture(0, 8, 0).memory.bytes, 0U);
-    EXPECT_EQ(Fixture(2, 8, 0).memory.bytes, 2U * 2U * 16U * 8U * sizeof(float));
-    EXPECT_EQ(Fixture(0, 8, 4).memory.bytes, 3U * 16U * 4U * sizeof(float));
+    EXPECT_EQ(Fixture(0, 8, 0).memory.bytes(), 0U);
+    EXPECT_EQ(Fixture(2, 8, 0).memory.bytes(), 2U * 2U * 16U * 8U * sizeof(float));
+    EXPECT_EQ(Fixture(0, 8, 4).memory.bytes(), 3U * 16U * 4U * sizeof(float));
+}
+
+TEST(LightTables, AreCountedUnderTheirOwnLight) {
+    const Fixture both(2, 8, 4);
+    EXPECT_EQ(both.memory.bytes(Effect::area_light), 2U * 2U * 16U * 8U * sizeof(float));
+    EXPECT_EQ(both.memory.bytes(Effect::ambient_occlusion), 3U * 16U * 4U * sizeof(float));
 }
 
 TEST(LightTables, EachPatternsAreaPointsAreStratified) {
@@ -43,7 +50,9 @@ TEST(LightTables, EachPatternsAreaPointsAreStratified) {
     const PatternTable t = f.tables.area(0);
     for (int pattern = 0; pattern < kPatterns; ++pattern) {
         std::set<int> cells;
-        for (int k = 0; k < 16; ++k) cells.insert(static_cast<int>(4.0F * t.get(0, pattern, k)) * 4 + static_cast<int>(4.0F * t.get(1, pattern, k)));
+        for (int k = 0; k < 16; ++k)
+            cells.insert(static_cast<int>(4.0F * t.get(0, pattern, k)) * 4 +
+                         static_cast<int>(4.0F * t.get(1, pattern, k)));
         EXPECT_EQ(cells.size(), 16U);
     }
 }

@@ -24,7 +24,8 @@ FrameStats finish(Renderer& renderer, const FrameInput& input) {
     return last;
 }
 
-Image converged(const std::shared_ptr<const Scene>& scene, const RenderSettings& settings, const EyeView& view) {
+Image converged(const std::shared_ptr<const Scene>& scene, const RenderSettings& settings,
+                const EyeView& view) {
     const auto renderer = make_renderer(scene, settings);
     finish(*renderer, frame_of(view));
     return renderer->image(0);
@@ -48,17 +49,19 @@ std::shared_ptr<const Scene> furnace(float paint, float ambient) {
 }
 
 TEST(Reference, AClosedBoxIsTheGeometricSeriesOfItsBounces) {
-    // Every vertex gets rho a, every bounce weighs rho: L = a rho (1 - rho^(B+1)) / (1 - rho), without noise.
+    // Every vertex gets rho a, every bounce weighs rho: L = a rho (1 - rho^(B+1)) / (1 - rho),
+    // without noise.
     for (const int bounces : {0, 1, 2, 5}) {
-        const Image image = converged(furnace(0.6F, 0.5F), reference(8, bounces), view_at({0, 0, 0}, {1, 0.2F, -1}, 70, 66));
+        const Image image = converged(furnace(0.6F, 0.5F), reference(8, bounces),
+                                      view_at({0, 0, 0}, {1, 0.2F, -1}, 70, 66));
         const double expected = 0.5 * 0.6 * (1.0 - std::pow(0.6, bounces + 1)) / 0.4;
         for (const vec3& p : image.pixels) ASSERT_NEAR(p.x, expected, 1.0e-5) << bounces;
     }
 }
 
 TEST(Reference, OneBounceOfAWallOntoTheFloorIsItsFormFactor) {
-    // An endless strip of wall of height h, paint 0.5, beside a floor of paint 0.8, ambient a everywhere:
-    // floor = 0.8 a (1 + 0.5 F), F = (1 - d / sqrt(d^2 + h^2)) / 2.
+    // An endless strip of wall of height h, paint 0.5, beside a floor of paint 0.8, ambient a
+    // everywhere: floor = 0.8 a (1 + 0.5 F), F = (1 - d / sqrt(d^2 + h^2)) / 2.
     SmallScene s;
     s.add_quad(s.add_matte(vec3(0.8F)), {0, 0, 4000}, {20, 0, 0}, {0, 0, -8000});
     s.add_quad(s.add_matte(vec3(0.5F)), {0, 0, 4000}, {0, 0, -8000}, {0, 1.5F, 0});
@@ -111,9 +114,11 @@ TEST(Reference, WithoutBouncesItConvergesToWhatFullEstimates) {
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += dvec3(image.pixels[i]) / 24.0;
     }
     double squares = 0.0;
-    int even = 0;                        // pixels without an edge: the same light in the neighbours
+    int even = 0;  // pixels without an edge: the same light in the neighbours
     dvec3 offset(0.0);
-    const auto near = [&](std::size_t i, std::size_t j) { return glm::length(sum[i] - sum[j]) < 0.02; };
+    const auto near = [&](std::size_t i, std::size_t j) {
+        return glm::length(sum[i] - sum[j]) < 0.02;
+    };
     for (int y = 1; y < 79; ++y) {
         for (int x = 1; x < 95; ++x) {
             const auto i = static_cast<std::size_t>(y * 96 + x);
@@ -159,14 +164,18 @@ TEST(Reference, AMirrorShowsLampsAndBackgroundAndIsPlainAtTheLastVertex) {
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) {
             if (x == 31 || x == 32) continue;
-            ASSERT_LT(glm::length(mirrored.at(x, y) - (x > 32 ? vec3(3.0F, 2.0F, 1.0F) : vec3(0.25F, 0.5F, 0.75F))), 1.0e-5F) << x << ' ' << y;
+            ASSERT_LT(glm::length(mirrored.at(x, y) -
+                                  (x > 32 ? vec3(3.0F, 2.0F, 1.0F) : vec3(0.25F, 0.5F, 0.75F))),
+                      1.0e-5F)
+                << x << ' ' << y;
             ASSERT_LT(glm::length(plain.at(x, y) - vec3(0.1F)), 1.0e-5F);
         }
     }
 }
 
 TEST(Reference, ALampThatIsSampledAsALightIsNotCountedTwice) {
-    // The same area light with and without a glowing face in its place: the floor, seen alone, is as bright.
+    // The same area light with and without a glowing face in its place: the floor, seen alone, is
+    // as bright.
     const auto room = [](bool face) {
         SmallScene s;
         s.add_quad(s.add_matte(vec3(0.7F)), {-3, 0, 3}, {6, 0, 0}, {0, 0, -6});
@@ -178,7 +187,8 @@ TEST(Reference, ALampThatIsSampledAsALightIsNotCountedTwice) {
         return s.finish();
     };
     const EyeView view = view_at({0, 1, 2}, {0, 0, 0}, 64, 64, 0.4F);
-    EXPECT_TRUE(converged(room(true), reference(16, 3), view).pixels == converged(room(false), reference(16, 3), view).pixels);
+    EXPECT_TRUE(converged(room(true), reference(16, 3), view).pixels ==
+                converged(room(false), reference(16, 3), view).pixels);
 }
 
 TEST(Reference, TheEstimatedErrorFallsAsTheRootOfTheSamplesAndIsTrue) {
@@ -195,7 +205,7 @@ TEST(Reference, TheEstimatedErrorFallsAsTheRootOfTheSamplesAndIsTrue) {
         if (samples == 8) error_8 = renderer->estimated_error();
     }
     const double error_32 = renderer->estimated_error();
-    EXPECT_LT(error_32, 0.62 * error_8);     // 0.5 for independent samples; a net does better
+    EXPECT_LT(error_32, 0.62 * error_8);  // 0.5 for independent samples; a net does better
     EXPECT_GT(error_32, 0.15 * error_8);
     const Image image = renderer->image(0);
     double squares = 0.0;
@@ -211,7 +221,8 @@ TEST(Reference, TheEstimatedErrorFallsAsTheRootOfTheSamplesAndIsTrue) {
 TEST(Reference, StopsAtItsSamplesAndAtItsTargetError) {
     auto renderer = make_renderer(lit_corner(), reference(20, 1));
     std::uint64_t primary = 0;
-    for (int call = 0; call < 5; ++call) primary += renderer->render(frame_of(kCornerView)).rays.primary;
+    for (int call = 0; call < 5; ++call)
+        primary += renderer->render(frame_of(kCornerView)).rays.primary;
     EXPECT_EQ(primary, 20U * 96U * 80U);
     RenderSettings settings = reference(4096, 1);
     settings.reference.target_error = 0.05;
@@ -232,7 +243,7 @@ TEST(Reference, StartsAgainWhenTheViewOrTheTimeChangesAndOnlyThen) {
     EXPECT_TRUE(renderer->image(0).pixels == fresh->image(0).pixels);
     FrameInput later = frame_of(moved, 77);
     later.eyes[0].gaze = glm::normalize(vec3(0.3F, 0.1F, -1.0F));
-    renderer->render(later);                 // gaze and frame number do not matter
+    renderer->render(later);  // gaze and frame number do not matter
     fresh->render(frame_of(moved));
     EXPECT_TRUE(renderer->image(0).pixels == fresh->image(0).pixels);
     later.time_s = 1.0;
@@ -246,7 +257,8 @@ TEST(Reference, ThreadsDoNotChangeABit) {
     const auto scene = std::make_shared<const Scene>(make_builtin_scene("cornell", 0.25));
     RenderSettings settings = reference(16, 3);
     settings.lighting.ao_samples = 1;
-    const EyeView view = view_at(scene->camera_path[0].position_m, scene->camera_path[0].target_m, 130, 70);
+    const EyeView view =
+        view_at(scene->camera_path[0].position_m, scene->camera_path[0].target_m, 130, 70);
     settings.threads = 1;
     const Image one = converged(scene, settings, view);
     settings.threads = 3;
@@ -256,7 +268,8 @@ TEST(Reference, ThreadsDoNotChangeABit) {
 TEST(Reference, CountsItsRaysAndNoNan) {
     const auto scene = std::make_shared<const Scene>(make_builtin_scene("cornell", 0.25));
     const auto renderer = make_renderer(scene, reference(8, 2));
-    const FrameStats stats = renderer->render(frame_of(view_at(scene->camera_path[0].position_m, scene->camera_path[0].target_m, 64, 64)));
+    const FrameStats stats = renderer->render(frame_of(
+        view_at(scene->camera_path[0].position_m, scene->camera_path[0].target_m, 64, 64)));
     EXPECT_EQ(stats.rays.primary, 8U * 64U * 64U);
     EXPECT_EQ(stats.sampled_pixels, 64U * 64U);
     EXPECT_GT(stats.rays.probe, stats.rays.primary);
