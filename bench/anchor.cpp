@@ -17,10 +17,10 @@ struct alignas(128) Share {
 };
 
 template <class TraceTile>
-AnchorRun run(embree::CpuBackend& backend, std::size_t tiles, const TraceTile& trace_tile) {
+AnchorRun run(CpuBackend& backend, std::size_t tiles, const TraceTile& trace_tile) {
     std::vector<Share> shares(static_cast<std::size_t>(backend.threads()));
     const auto start = std::chrono::steady_clock::now();
-    backend.for_tiles(static_cast<int>(tiles), [&](embree::Lane&, int thread, int tile) {
+    backend.for_tiles(static_cast<int>(tiles), [&](Lane&, int thread, int tile) {
         const auto tile_start = std::chrono::steady_clock::now();
         const std::uint64_t occluded = trace_tile(static_cast<std::size_t>(tile));
         Share& share = shares[static_cast<std::size_t>(thread)];
@@ -38,9 +38,9 @@ AnchorRun run(embree::CpuBackend& backend, std::size_t tiles, const TraceTile& t
 
 }  // namespace
 
-AnchorRun run_anchor(embree::CpuBackend& backend, const PrimaryAnchor& anchor,
+AnchorRun run_anchor(CpuBackend& backend, const PrimaryAnchor& anchor,
                      std::span<const PixelQueue> tiles) {
-    const RTCScene scene = backend.scene().handle();
+    const RTCScene scene = backend.embree_scene().handle();
     return run(backend, tiles.size(), [&](std::size_t tile) {
         static thread_local PrimaryAnswers answers;
         const std::size_t room = tiles[tile].pixels.size();
@@ -54,9 +54,9 @@ AnchorRun run_anchor(embree::CpuBackend& backend, const PrimaryAnchor& anchor,
     });
 }
 
-AnchorRun run_anchor(embree::CpuBackend& backend, const OcclusionAnchor& anchor,
+AnchorRun run_anchor(CpuBackend& backend, const OcclusionAnchor& anchor,
                      std::span<const RayList> tiles) {
-    const RTCScene scene = backend.scene().handle();
+    const RTCScene scene = backend.embree_scene().handle();
     return run(backend, tiles.size(),
                [&](std::size_t tile) { return anchor.trace(scene, tiles[tile]); });
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/anchor_rays.h"
-#include "renderer/backends/embree/cpu_backend.h"
+#include "renderer/backends/cpu/cpu_backend.h"
 
 namespace foverig::bench {
 
@@ -40,9 +40,9 @@ struct AnchorRun {
     std::uint64_t occluded = 0;
 };
 
-AnchorRun run_anchor(embree::CpuBackend& backend, const PrimaryAnchor& anchor,
+AnchorRun run_anchor(CpuBackend& backend, const PrimaryAnchor& anchor,
                      std::span<const PixelQueue> tiles);
-AnchorRun run_anchor(embree::CpuBackend& backend, const OcclusionAnchor& anchor,
+AnchorRun run_anchor(CpuBackend& backend, const OcclusionAnchor& anchor,
                      std::span<const RayList> tiles);
 
 }  // namespace foverig::bench

@@ -102,7 +102,7 @@ void run(benchmark::State& state, Bench& bench, const std::string& scene, const 
         add(m, o);
         state.SetIterationTime(o.render_ms * 1e-3);
     }
-    embree::CpuBackend threads(*subject.scene, embree::EmbreeSettings{});
+    CpuBackend threads(*subject.scene, embree::EmbreeSettings{});
     const auto image_bytes = static_cast<std::size_t>(m.sizes.pixels) * 12;
     const Json bytes =
         bytes_row(m, stream_triad(threads, kLargeTriad, 5), stream_triad(threads, image_bytes, 9));

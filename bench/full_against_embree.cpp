@@ -72,8 +72,7 @@ Race race_with(std::span<const Anchor> anchors, std::uint64_t rays) {
 }
 
 template <class Anchor, class Tiles>
-void run_all(Race& race, embree::CpuBackend& backend, std::span<const Anchor> anchors,
-             const Tiles& tiles) {
+void run_all(Race& race, CpuBackend& backend, std::span<const Anchor> anchors, const Tiles& tiles) {
     for (std::size_t i = 0; i < anchors.size(); ++i)
         race.anchors_ms[i].push_back(run_anchor(backend, anchors[i], std::span(tiles)).busy_ms);
 }

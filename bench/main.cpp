@@ -42,6 +42,10 @@ int run(int argc, char** argv) {
     app.add_option("--error-stride", o.error_stride, "compare every n-th, where light is sampled")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    app.add_option("--compared-mrays", o.compared_mrays,
+                   "millions of rays a scene that two tracers must agree on")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     app.add_flag("--robust,!--no-robust", o.robust, "watertight tracing")->capture_default_str();
     app.add_option("--child", child, "internal: one large scene, measured in its own process");
     CLI11_PARSE(app, argc, argv);
@@ -52,6 +56,8 @@ int run(int argc, char** argv) {
     register_fixed_work(bench);
     register_reprojection_error(bench);
     register_large_scenes(bench);
+    register_tracer(bench);
+    register_recorder(bench);
     register_kernels();
     register_devices();
     add_context(o);

@@ -32,11 +32,11 @@ void triad_non_temporal(const double* b, const double* c, double* a, std::size_t
 }
 
 template <class Body>
-double best_gb_s(embree::CpuBackend& backend, std::size_t n, int repetitions, const Body& body) {
+double best_gb_s(CpuBackend& backend, std::size_t n, int repetitions, const Body& body) {
     double best = 0.0;
     for (int r = 0; r < repetitions; ++r) {
         const auto start = std::chrono::steady_clock::now();
-        backend.for_tiles(static_cast<int>(n / kBlock), [&](embree::Lane&, int, int block) {
+        backend.for_tiles(static_cast<int>(n / kBlock), [&](Lane&, int, int block) {
             body(static_cast<std::size_t>(block) * kBlock);
         });
         const double s =
@@ -48,7 +48,7 @@ double best_gb_s(embree::CpuBackend& backend, std::size_t n, int repetitions, co
 
 }  // namespace
 
-TriadRates stream_triad(embree::CpuBackend& backend, std::size_t bytes, int repetitions) {
+TriadRates stream_triad(CpuBackend& backend, std::size_t bytes, int repetitions) {
     const std::size_t n = bytes / sizeof(double) / kBlock * kBlock;
     MemoryCount memory;
     Buffer<double> a(memory, n);

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-#include "renderer/backends/embree/cpu_backend.h"
+#include "renderer/backends/cpu/cpu_backend.h"
 
 namespace foverig::bench {
 
@@ -13,6 +13,6 @@ struct TriadRates {
 };
 
 /// Best of `repetitions` on three arrays of `bytes` each.
-TriadRates stream_triad(embree::CpuBackend& backend, std::size_t bytes, int repetitions);
+TriadRates stream_triad(CpuBackend& backend, std::size_t bytes, int repetitions);
 
 }  // namespace foverig::bench

@@ -22,6 +22,8 @@ void register_foveation_speedup(Bench& bench);
 void register_fixed_work(Bench& bench);
 void register_reprojection_error(Bench& bench);
 void register_large_scenes(Bench& bench);
+void register_tracer(Bench& bench);
+void register_recorder(Bench& bench);
 void register_kernels();
 void register_devices();
 

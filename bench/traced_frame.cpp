@@ -55,7 +55,7 @@ std::vector<PixelQueue> queues_of(const EyeInput& eye, const Selection& selectio
 TracedFrame::TracedFrame(PipelineCore& core, const FrameInput& input, const Selection& selection)
     : core_(core), input_(input), queues_(queues_of(input.eyes[0], selection)) {}
 
-int TracedFrame::shade(embree::Lane& lane, TileScratch& scratch, int tile) {
+int TracedFrame::shade(Lane& lane, TileScratch& scratch, int tile) {
     const PixelQueue& queue = queues_[static_cast<std::size_t>(tile)];
     std::copy(queue.pixels.begin(), queue.pixels.end(), scratch.pixels.data());
     scratch.sparse = queue.sparse.empty() ? nullptr : queue.sparse.data();
@@ -65,63 +65,66 @@ int TracedFrame::shade(embree::Lane& lane, TileScratch& scratch, int tile) {
 FrameStats TracedFrame::trace() {
     core_.begin_frame(input_);
     frame_ = core_.shading_frame(input_.eyes[0].view);
-    core_.backend().for_tiles(static_cast<int>(queues_.size()),
-                              [&](embree::Lane& lane, int thread, int tile) {
-                                  shade(lane, core_.scratch(thread), tile);
-                              });
+    core_.backend().for_tiles(
+        static_cast<int>(queues_.size()),
+        [&](Lane& lane, int thread, int tile) { shade(lane, core_.scratch(thread), tile); });
     return core_.end_frame(0);
 }
 
-/// use(n, samples, functor that makes the rays), with the functors that shade_tile.cpp uses.
+/// use(n, samples, samples that share a packet, functor that makes the rays), as shade_tile.cpp
+/// traces them.
 template <class Use>
 void TracedFrame::for_visibility_rays(TileScratch& s, int surfaces, const Use& use) const {
     if (core_.plan().on(Effect::point_light))
-        use(surfaces, 1, PointLightRays{s.surfaces(), frame_.scene.point_lights[0]});
+        use(surfaces, 1, 1, PointLightRays{s.surfaces(), frame_.scene.point_lights[0]});
     if (core_.plan().on(Effect::area_light)) {
         const AreaLight& light = frame_.scene.area_lights[0];
         const vec3 normal = glm::cross(light.edge_u_m, light.edge_v_m);
         const float area_m2 = glm::length(normal);
         const PatternTable table = frame_.tables->area(0);
-        use(surfaces, table.samples,
+        use(surfaces, table.samples, lamp_samples_per_packet(table.samples),
             AreaLightRays{s.surfaces(), s.patterns.view(), table, light, normal * (1.0F / area_m2),
                           area_m2 / static_cast<float>(table.samples)});
     }
     if (core_.plan().on(Effect::ambient_occlusion)) {
         const PatternTable table = frame_.tables->occlusion();
-        use(surfaces, table.samples,
-            OcclusionRays{s.surfaces(), s.patterns.view(), table, frame_.occlusion_reach_m});
+        for (const OcclusionQueue::Part& part : {s.occlusion.dense(), s.occlusion.sparse()})
+            use(static_cast<int>(part.slots.size), table.samples, 1,
+                OcclusionRays{s.surfaces(), part.slots, part.patterns, table,
+                              frame_.occlusion_reach_m});
     }
 }
 
 std::vector<RayList> TracedFrame::visibility_rays() {
     std::vector<RayList> lists(queues_.size());
     trace();
-    core_.backend().for_tiles(
-        static_cast<int>(queues_.size()), [&](embree::Lane& lane, int thread, int tile) {
-            TileScratch& scratch = core_.scratch(thread);
-            RayList& list = lists[static_cast<std::size_t>(tile)];
-            for_visibility_rays(
-                scratch, shade(lane, scratch, tile), [&](int n, int samples, const auto& make_ray) {
-                    for (int base = 0; base < n; base += 16) {
-                        for (int sample = 0; sample < samples; ++sample) {
-                            for (int slot = base; slot < std::min(base + 16, n); ++slot) {
-                                const WeightedRay ray = make_ray(slot, sample);
-                                if (ray.weight > 0.0F) list.add(ray.ray);
-                            }
-                        }
-                    }
-                });
-        });
+    core_.backend().for_tiles(static_cast<int>(queues_.size()), [&](Lane& lane, int thread,
+                                                                    int tile) {
+        TileScratch& scratch = core_.scratch(thread);
+        RayList& list = lists[static_cast<std::size_t>(tile)];
+        for_visibility_rays(scratch, shade(lane, scratch, tile),
+                            [&](int n, int samples, int per_packet, const auto& make_ray) {
+                                const int slots = 16 / per_packet;
+                                for (int base = 0; base < n; base += slots) {
+                                    for (int lane_of = 0; lane_of < samples * slots; ++lane_of) {
+                                        const int slot = base + lane_of % slots;
+                                        if (slot >= n) continue;
+                                        const WeightedRay ray = make_ray(slot, lane_of / slots);
+                                        if (ray.weight > 0.0F) list.add(ray.ray);
+                                    }
+                                }
+                            });
+    });
     core_.end_frame(0);
     return lists;
 }
 
 double TracedFrame::wrong_primary_share(const PrimaryAnchor& anchor) {
-    const RTCScene scene = core_.backend().scene().handle();
+    const RTCScene scene = core_.backend().embree_scene().handle();
     std::atomic<std::uint64_t> wrong{0};
     std::atomic<std::uint64_t> rays{0};
     core_.backend().for_tiles(
-        static_cast<int>(queues_.size()), [&](embree::Lane& lane, int thread, int tile) {
+        static_cast<int>(queues_.size()), [&](Lane& lane, int thread, int tile) {
             TileScratch& scratch = core_.scratch(thread);
             const PixelQueue& queue = queues_[static_cast<std::size_t>(tile)];
             shade(lane, scratch, tile);
@@ -143,23 +146,23 @@ double TracedFrame::wrong_primary_share(const PrimaryAnchor& anchor) {
 
 std::uint64_t TracedFrame::occluded_by_packets() {
     std::atomic<std::uint64_t> occluded{0};
-    core_.backend().for_tiles(
-        static_cast<int>(queues_.size()), [&](embree::Lane& lane, int thread, int tile) {
-            TileScratch& scratch = core_.scratch(thread);
-            for_visibility_rays(
-                scratch, shade(lane, scratch, tile), [&](int n, int samples, const auto& make_ray) {
-                    float open = 0.0F;
-                    const auto unweighted = [&](int slot, int sample) {
-                        WeightedRay ray = make_ray(slot, sample);
-                        ray.weight = ray.weight > 0.0F ? 1.0F : 0.0F;
-                        return ray;
-                    };
-                    const std::uint64_t traced =
-                        embree::visible(core_.backend().scene().handle(), n, samples, unweighted,
-                                        [&](int, float sum) { open += sum; });
-                    occluded += traced - static_cast<std::uint64_t>(open);
-                });
-        });
+    core_.backend().for_tiles(static_cast<int>(queues_.size()), [&](Lane& lane, int thread,
+                                                                    int tile) {
+        TileScratch& scratch = core_.scratch(thread);
+        for_visibility_rays(scratch, shade(lane, scratch, tile),
+                            [&](int n, int samples, int per_packet, const auto& make_ray) {
+                                float open = 0.0F;
+                                const auto unweighted = [&](int slot, int sample) {
+                                    WeightedRay ray = make_ray(slot, sample);
+                                    ray.weight = ray.weight > 0.0F ? 1.0F : 0.0F;
+                                    return ray;
+                                };
+                                const std::uint64_t traced = embree::visible(
+                                    core_.backend().embree_scene().handle(), n, samples, per_packet,
+                                    unweighted, [&](int, float sum) { open += sum; });
+                                occluded += traced - static_cast<std::uint64_t>(open);
+                            });
+    });
     core_.end_frame(0);
     return occluded;
 }

@@ -39,7 +39,7 @@ class TracedFrame {
   private:
     template <class Use>
     void for_visibility_rays(TileScratch& scratch, int surfaces, const Use& use) const;
-    int shade(embree::Lane& lane, TileScratch& scratch, int tile);
+    int shade(Lane& lane, TileScratch& scratch, int tile);
 
     PipelineCore& core_;
     FrameInput input_;

@@ -36,15 +36,16 @@ class Clock {
     virtual void sleep_until(HostTime deadline) = 0;
 };
 
-/// Steady time since construction.
+/// Steady time since construction, `speed` times as fast as it passes.
 class WallClock final : public Clock {
   public:
-    WallClock();
+    explicit WallClock(double speed = 1.0);
     HostTime now() const override;
     void sleep_until(HostTime deadline) override;
 
   private:
     std::chrono::steady_clock::time_point start_;
+    double speed_;
 };
 
 /// Simulated time: `sleep_until` and `advance` jump, nothing else moves it. Starts at 0.

@@ -5,8 +5,10 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <stdexcept>
+#include <system_error>
 
 namespace foverig {
 namespace {
@@ -24,9 +26,13 @@ void write_png_bytes(const std::filesystem::path& file, int width_px, int height
     png.width = static_cast<png_uint_32>(width_px);
     png.height = static_cast<png_uint_32>(height_px);
     png.format = format;
-    if (png_image_write_to_file(&png, part.c_str(), 0, bytes.data(), 0, nullptr) == 0)
+    errno = 0;
+    if (png_image_write_to_file(&png, part.c_str(), 0, bytes.data(), 0, nullptr) == 0) {
+        const int cause = errno;  // a full disk says so here; libpng only says "Write Error"
         throw std::runtime_error(
-            fmt::format("{}: cannot write the image: {}", file.string(), png.message));
+            fmt::format("{}: cannot write the image: {}", file.string(),
+                        cause != 0 ? std::generic_category().message(cause) : png.message));
+    }
     std::filesystem::rename(part, file);
 }
 

@@ -19,6 +19,20 @@ struct RunRequest {
 };
 ExitCode run_command(const RunRequest& request);
 
+struct RecordRequest {
+    Scenario scenario;
+    std::optional<std::filesystem::path> out;  ///< none: the next free recordings/NNN.mcap
+};
+/// The devices' streams alone, into one file.
+ExitCode record_command(const RecordRequest& request);
+
+/// The scenario that a recording was made with, its devices replayed. Throws InputError.
+Scenario recorded_scenario(const std::filesystem::path& recording);
+
+/// Mends a torn recording into `out` (none: FILE.recovered.mcap beside it), says what was lost.
+ExitCode recover_command(const std::filesystem::path& recording,
+                         const std::optional<std::filesystem::path>& out);
+
 struct PlanRequest {
     Scenario scenario;
     bool measure = true;  ///< render a few frames, so that effects have a cost

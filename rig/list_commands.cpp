@@ -37,7 +37,9 @@ ExitCode devices_command() {
         print_row(fmt::format("{}.{}", fault.device, fault.kind),
                   fmt::format("{} ({}; typical {})", fault.meaning, fault.unit, fault.typical));
     }
-    fmt::print("\nReal devices come with a later version.\n");
+    fmt::print(
+        "\nA recording of devices is one too (--devices replay:FILE, foverig replay FILE).\n"
+        "Real devices come with a later version.\n");
     return ExitCode::good;
 }
 

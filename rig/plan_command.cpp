@@ -5,6 +5,7 @@
 #include "rig/commands.h"
 #include "rig/open_scene.h"
 #include "rig/records/summary.h"
+#include "rig/require_devices.h"
 #include "rig/session/session.h"
 #include "rig/summary_text.h"
 
@@ -20,6 +21,7 @@ ExitCode plan_command(const PlanRequest& request) {
     scenario.frames = kMeasuredFrames;
     scenario.seconds = 0.0;
     scenario.clock = "lockstep";
+    if (request.measure) require_devices(scenario);
     fmt::print(stderr, "loading {}\n", scenario.scene);
     const auto scene = open_scene(scenario);
     const auto renderer = open_renderer(scene, scenario.render);

@@ -22,15 +22,29 @@ struct RunOptions {
     bool help_scenario = false;
 };
 
+struct RecordOptions {
+    ScenarioOptions scenario;
+    std::string out;
+};
+
+struct ReplayOptions {
+    std::string file;
+    std::optional<double> speed;
+    bool loop = false;
+};
+
+struct RecoverOptions {
+    std::string file;
+    std::string out;
+};
+
 struct PlanOptions {
     ScenarioOptions scenario;
     bool no_run = false;
     bool json = false;
 };
 
-void add_run(CLI::App& app, RunOptions& options) {
-    CLI::App& run = *app.add_subcommand("run", "frame loop; writes a run folder with a report");
-    options.scenario.add_to(run);
+void add_run_options(CLI::App& run, RunOptions& options) {
     run.add_option("--out", options.out, "run folder to write; none: the next free runs/NNN")
         ->type_name("DIR")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
@@ -39,6 +53,12 @@ void add_run(CLI::App& app, RunOptions& options) {
         ->type_name("'KEY > NUMBER'")
         ->allow_extra_args(false);
     run.add_flag("--json", options.json, "the summary as one JSON object on the last line");
+}
+
+void add_run(CLI::App& app, RunOptions& options) {
+    CLI::App& run = *app.add_subcommand("run", "frame loop; writes a run folder with a report");
+    options.scenario.add_to(run);
+    add_run_options(run, options);
     run.add_flag("--help-scenario", options.help_scenario, "all scenario keys with their defaults");
     run.footer(
         "Examples:\n"
@@ -46,7 +66,49 @@ void add_run(CLI::App& app, RunOptions& options) {
         "  foverig run my.toml --frames 300 --out my-run\n"
         "  foverig run --scene sponza.glb --set foveation.configuration=small\n"
         "  foverig run --clock lockstep --cost fixed:10 --seed 7      repeats bit for bit\n"
+        "  foverig run --set recording.enabled=true                   keeps session.mcap\n"
         "  foverig run my.toml --fail-if 'vsync.missed_ratio > 0.01'");
+}
+
+void add_record(CLI::App& app, RecordOptions& options) {
+    CLI::App& record =
+        *app.add_subcommand("record", "the devices' streams alone, into an MCAP file");
+    options.scenario.add_to(record);
+    record
+        .add_option("--out", options.out, "file to write; none: the next free recordings/NNN.mcap")
+        ->type_name("FILE");
+    record.footer(
+        "Examples:\n"
+        "  foverig record --seconds 10 --out desk.mcap\n"
+        "  foverig record --set motion.head=look --clock wall --seconds 60");
+}
+
+void add_replay(CLI::App& app, ReplayOptions& options, RunOptions& run) {
+    CLI::App& replay =
+        *app.add_subcommand("replay", "`run` on a recording, with the scenario that it holds");
+    replay.add_option("file", options.file, "recording (MCAP)")->type_name("FILE")->required();
+    replay
+        .add_option("--speed", options.speed,
+                    "on the wall clock at so many times the recorded speed; 0: as fast as possible")
+        ->check(CLI::Range(0.0, 1000.0));
+    replay.add_flag("--loop", options.loop, "begin again at the end");
+    run.scenario.add_settings_to(replay);
+    add_run_options(replay, run);
+    replay.footer(
+        "Examples:\n"
+        "  foverig replay runs/001/session.mcap             the same poses and gaze, bit for bit,\n"
+        "                                                   if the cost was fixed\n"
+        "  foverig replay desk.mcap --speed 1               at recorded time\n"
+        "  foverig replay desk.mcap --pipeline full --loop --seconds 60\n"
+        "  foverig run my.toml --devices replay:desk.mcap   another scenario on its devices");
+}
+
+void add_recover(CLI::App& app, RecoverOptions& options) {
+    CLI::App& recover = *app.add_subcommand("recover", "mend a torn or damaged recording");
+    recover.add_option("file", options.file, "recording (MCAP)")->type_name("FILE")->required();
+    recover.add_option("--out", options.out, "file to write; none: NAME.recovered.mcap beside it")
+        ->type_name("FILE");
+    recover.footer("Example:\n  foverig recover session.mcap --out mended.mcap");
 }
 
 void add_plan(CLI::App& app, PlanOptions& options) {
@@ -75,17 +137,36 @@ std::vector<FailIf> parsed(const std::vector<std::string>& texts) {
     return checks;
 }
 
+std::optional<std::filesystem::path> path_of(const std::string& text) {
+    return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
+}
+
+ExitCode run(const RunOptions& options, const Scenario& scenario) {
+    return run_command({.scenario = scenario,
+                        .out = path_of(options.out),
+                        .checks = parsed(options.fail_if),
+                        .json = options.json});
+}
+
 ExitCode run(const RunOptions& options) {
     if (options.help_scenario) {
         fmt::print("{}", scenario_help());
         return ExitCode::good;
     }
-    return run_command({.scenario = options.scenario.scenario(),
-                        .out = options.out.empty()
-                                   ? std::nullopt
-                                   : std::optional<std::filesystem::path>(options.out),
-                        .checks = parsed(options.fail_if),
-                        .json = options.json});
+    return run(options, options.scenario.scenario());
+}
+
+ExitCode replay(const ReplayOptions& options, const RunOptions& run_options) {
+    Scenario base = recorded_scenario(options.file);
+    base.replay.loop = options.loop;
+    if (options.speed) {
+        base.clock = *options.speed > 0.0 ? "wall" : "lockstep";
+        if (*options.speed > 0.0) {
+            base.cost = "measured";
+            base.replay.speed = *options.speed;
+        }
+    }
+    return run(run_options, run_options.scenario.over(std::move(base)));
 }
 
 ExitCode dispatch(int argc, const char* const* argv) {
@@ -101,10 +182,16 @@ ExitCode dispatch(int argc, const char* const* argv) {
     app.footer(
         "Exit codes: 0 good, 1 a check failed, 2 usage or scenario, 3 input data, 4 device, "
         "5 internal.");
-    RunOptions run_options;
+    RunOptions run_options, replay_run_options;
+    RecordOptions record_options;
+    ReplayOptions replay_options;
+    RecoverOptions recover_options;
     PlanOptions plan_options;
     std::vector<std::string> reports;
     add_run(app, run_options);
+    add_record(app, record_options);
+    add_replay(app, replay_options, replay_run_options);
+    add_recover(app, recover_options);
     add_plan(app, plan_options);
     add_report(app, reports);
     app.add_subcommand("scenes", "what there is to look at");
@@ -116,6 +203,14 @@ ExitCode dispatch(int argc, const char* const* argv) {
         const bool asked_for = error.get_exit_code() == 0;  // --help, --version
         app.exit(error);
         return asked_for ? ExitCode::good : ExitCode::usage;
+    }
+    if (app.got_subcommand("record")) {
+        return record_command(
+            {.scenario = record_options.scenario.scenario(), .out = path_of(record_options.out)});
+    }
+    if (app.got_subcommand("replay")) return replay(replay_options, replay_run_options);
+    if (app.got_subcommand("recover")) {
+        return recover_command(recover_options.file, path_of(recover_options.out));
     }
     if (app.got_subcommand("plan")) {
         return plan_command({.scenario = plan_options.scenario.scenario(),

@@ -13,6 +13,7 @@
 #include "rig/records/frames_csv.h"
 #include "rig/records/summary.h"
 #include "rig/report/page.h"
+#include "rig/require_devices.h"
 #include "rig/scenario/write.h"
 #include "rig/session/session.h"
 #include "rig/summary_text.h"
@@ -21,8 +22,8 @@ namespace foverig {
 namespace {
 
 RunRecord run_session(const Scenario& scenario, const Scene& scene, Renderer& renderer,
-                      LensPass* lens, KeptImages& images) {
-    Session session(scenario, scene, renderer, lens);
+                      LensPass* lens, KeptImages& images, SessionRecording* recording) {
+    Session session(scenario, scene, renderer, lens, recording);
     const Interrupt interrupt;
     Progress progress;
     std::optional<FrameInput> last;
@@ -79,13 +80,17 @@ ExitCode judged(const std::vector<FailIf>& checks, const nlohmann::json& summary
 
 ExitCode run_command(const RunRequest& request) {
     const Scenario& scenario = request.scenario;
+    require_devices(scenario);
     RunFolder folder(request.out);
     fmt::print(stderr, "loading {}\n", scenario.scene);
     const auto scene = open_scene(scenario);
     auto renderer = open_renderer(scene, scenario.render);
     const auto lens = open_lens(scenario);
     KeptImages images(scenario);
-    const RunRecord run = run_session(scenario, *scene, *renderer, lens.get(), images);
+    std::optional<SessionRecording> recording;
+    if (scenario.recording.enabled) recording.emplace(folder.draft() / "session.mcap", scenario);
+    const RunRecord run = run_session(scenario, *scene, *renderer, lens.get(), images,
+                                      recording ? &*recording : nullptr);
     const std::uint64_t rss_bytes = peak_rss_bytes();
     renderer.reset();  // the comparison needs the memory
     compare_with_full(scenario, scene, images);

@@ -22,7 +22,7 @@ constexpr std::array<NamedOption, 10> kNamed{{
     {"--devices", "devices", "sim|hardware|replay:FILE", "where the devices' bytes come from"},
     {"--backend", "backend", "auto|embree|cuda|host-bvh", "what traces the rays"},
     {"--pipeline", "pipeline", "NAME", "how a frame is made: reprojected, full, reference"},
-    {"--display", "display.kind", "virtual|window|headset", "what shows the frames"},
+    {"--display", "display.kind", "virtual|headset", "what shows the frames"},
     {"--clock", "clock", "wall|lockstep", "real time, or time that moves by each frame's cost"},
     {"--cost", "cost", "measured|fixed:MS", "that cost; fixed makes runs repeat bit for bit"},
     {"--frames", "frames", "N", "how many frames"},
@@ -41,6 +41,10 @@ void make_absolute(std::string& file) {
 void ScenarioOptions::add_to(CLI::App& command) {
     command.add_option("scenario", file_, "scenario file (TOML); none: the built-in scenario")
         ->type_name("SCENARIO.toml");
+    add_settings_to(command);
+}
+
+void ScenarioOptions::add_settings_to(CLI::App& command) {
     for (const NamedOption& option : kNamed) {
         command.add_option(option.option, named_[option.key], option.help)
             ->type_name(option.value)
@@ -53,7 +57,10 @@ void ScenarioOptions::add_to(CLI::App& command) {
 }
 
 Scenario ScenarioOptions::scenario() const {
-    Scenario scenario = file_.empty() ? Scenario{} : read_scenario(file_);
+    return over(file_.empty() ? Scenario{} : read_scenario(file_));
+}
+
+Scenario ScenarioOptions::over(Scenario scenario) const {
     const auto given = [&](const char* key) { return !named_.at(key).empty(); };
     // One of the two on the command line takes the place of either in the file.
     if (given("frames") != given("seconds")) {
@@ -75,6 +82,10 @@ Scenario ScenarioOptions::scenario() const {
     if (!is_builtin) make_absolute(scenario.scene);
     make_absolute(scenario.motion.head);
     make_absolute(scenario.motion.gaze);
+    if (std::string recording = replayed_file(scenario); !recording.empty()) {
+        make_absolute(recording);
+        scenario.devices = "replay:" + recording;
+    }
     return scenario;
 }
 

@@ -13,9 +13,13 @@ namespace foverig {
 class ScenarioOptions {
   public:
     void add_to(CLI::App& command);
+    /// The same without the file: the scenario comes from elsewhere.
+    void add_settings_to(CLI::App& command);
 
     /// Throws UsageError with file and line, or the option.
     Scenario scenario() const;
+    /// What the options make of `base`.
+    Scenario over(Scenario base) const;
 
   private:
     std::string file_;

@@ -46,6 +46,12 @@ std::string summary_text(const json& s) {
     text +=
         fmt::format("traced pixels     {} of all\n",
                     ratio.is_number() ? fmt::format("{:.1f} %", 100.0 * ratio.get<double>()) : "-");
+    if (const json& recording = s.value("recording", json()); recording.is_object()) {
+        text += fmt::format("recording         {} messages, {} dropped, {:.1f} MB\n",
+                            recording["messages"].get<std::uint64_t>(),
+                            recording["dropped"].get<std::uint64_t>(),
+                            recording["bytes"].get<double>() * 1e-6);
+    }
     for (const json& image : s.value("images", json::array())) {
         if (!image.contains("mean_absolute_error")) continue;
         text += fmt::format("error to full     {:.2f} % of full scale (frame {}, {} eye)\n",
@@ -66,10 +72,9 @@ std::string plan_text(const json& plan) {
         for (const json& pass : effect["passes"]) {
             passes += (passes.empty() ? "" : ", ") + pass.get<std::string>();
         }
-        text +=
-            fmt::format("{:<23} passes: {}; memory: {}; {} a frame\n", "",
-                        passes.empty() ? "none of its own" : passes, megabytes(effect["bytes"]),
-                        number(effect["measured_ms"], " ms"));
+        text += fmt::format("{:<23} passes: {}; memory: {}; {} a frame\n", "",
+                            passes.empty() ? "none of its own" : passes, megabytes(effect["bytes"]),
+                            number(effect["measured_ms"], " ms"));
     }
     return text;
 }

@@ -13,6 +13,7 @@ class EffectMemory {
     EffectMemory() = default;
     EffectMemory(const EffectMemory&) = delete;
     EffectMemory& operator=(const EffectMemory&) = delete;
+    ~EffectMemory() = default;
 
     MemoryCount& base() { return base_; }
     MemoryCount& of(Effect effect) { return effects_[static_cast<std::size_t>(effect)]; }

@@ -118,14 +118,17 @@ struct AddAreaLight {
     }
 };
 
+/// Places of a queue (see OcclusionQueue), not slots, because the order of slots suits other rays.
 struct OcclusionRays {
     Surfaces surfaces;
-    View<const int> patterns;
-    PatternTable directions;  ///< rows: x, y, z of cosine-weighted directions about +z
+    View<const int> slots;     ///< of each place
+    View<const int> patterns;  ///< of each place
+    PatternTable directions;   ///< rows: x, y, z of cosine-weighted directions about +z
     float reach_m;
 
-    RIG_HD WeightedRay operator()(int slot, int sample) const {
-        const int pattern = patterns[static_cast<std::size_t>(slot)];
+    RIG_HD WeightedRay operator()(int place, int sample) const {
+        const int slot = slots[static_cast<std::size_t>(place)];
+        const int pattern = patterns[static_cast<std::size_t>(place)];
         const vec3 local{directions.get(0, pattern, sample), directions.get(1, pattern, sample),
                          directions.get(2, pattern, sample)};
         WeightedRay r;
@@ -144,6 +147,15 @@ struct StoreOcclusion {
 
     RIG_HD void operator()(int slot, float open) const {
         surfaces.at(Row::occlusion, slot) = open * inverse_samples;
+    }
+};
+
+struct StoreOcclusionAt {
+    StoreOcclusion store;
+    View<const int> slots;  ///< of each place
+
+    RIG_HD void operator()(int place, float open) const {
+        store(slots[static_cast<std::size_t>(place)], open);
     }
 };
 

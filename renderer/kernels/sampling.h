@@ -52,13 +52,15 @@ RIG_INLINE vec2 scrambled_point(std::uint32_t i, std::uint32_t seed) {
             unit_float(sobol2(i) ^ hash32(seed ^ 0xB5297A4DU))};
 }
 
-/// Interleaved sampling (Keller and Heidrich 2001): the 4x4 neighbours of a pixel use 16 different
-/// runs of the sequence, and pixels four apart the same one. So secondary rays of equal local
+/// Interleaved sampling (Keller and Heidrich 2001): the pixels of a 4x4 block use 16 different runs
+/// of the sequence, each block in another order, so that no grid shows. Rays of equal local
 /// direction come from pixels that are near, and can share a packet, without being neighbours.
 inline constexpr int kPatterns = 16;
 
 RIG_INLINE int pattern_of(std::uint32_t x, std::uint32_t y) {
-    return static_cast<int>((x & 3U) | ((y & 3U) << 2U));
+    const std::uint32_t in_block = (x & 3U) | ((y & 3U) << 2U);
+    const std::uint32_t block = (x >> 2U) | ((y >> 2U) << 16U);
+    return static_cast<int>(in_block ^ (hash32(block) & 15U));
 }
 
 /// Numbers of all patterns for one frame and one light: entry pattern * samples + k of each row.

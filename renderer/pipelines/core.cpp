@@ -22,13 +22,19 @@ embree::EmbreeSettings embree_settings(const EffectPlan& plan, const RenderSetti
     return s;
 }
 
+constexpr const char* kHostBvh = "host-bvh";
+
+Tracer tracer_of(const RenderSettings& settings) {
+    return settings.backend == kHostBvh ? Tracer::host_bvh : Tracer::embree;
+}
+
 }  // namespace
 
 PipelineCore::PipelineCore(std::shared_ptr<const Scene> scene, const RenderSettings& settings)
     : scene_(std::move(scene)),
       settings_(settings),
       plan_(*scene_, settings),
-      backend_(*scene_, embree_settings(plan_, settings)),
+      backend_(*scene_, embree_settings(plan_, settings), tracer_of(settings)),
       tables_(memory_, plan_, *scene_, settings.lighting) {
     for (int i = 0; i < backend_.threads(); ++i) scratches_.emplace_back(memory_, plan_);
 }
@@ -36,7 +42,7 @@ PipelineCore::PipelineCore(std::shared_ptr<const Scene> scene, const RenderSetti
 void PipelineCore::begin_frame(const FrameInput& input) {
     frame_start_ns_ = now_ns();
     if (plan_.on(Effect::moving_geometry)) {
-        backend_.scene().set_time(input.time_s);
+        backend_.set_time(input.time_s);
         backend_.add_pass("move_geometry", now_ns() - frame_start_ns_);
     }
     if (plan_.on(Effect::light_buffer)) tables_.update(settings_.seed, input.frame);
@@ -75,14 +81,18 @@ void PipelineCore::record_bytes() {
         const auto effect = static_cast<Effect>(i);
         plan_.record_bytes(effect, memory_.bytes(effect));
     }
-    const embree::SceneBytes scene = backend_.scene().bytes();
+    const SceneBytes scene = backend_.bytes();
     plan_.record_bytes(Effect::textures, memory_.bytes(Effect::textures) + scene.textures);
     plan_.record_bytes(Effect::moving_geometry,
                        memory_.bytes(Effect::moving_geometry) + scene.motion);
 }
 
+std::string PipelineCore::backend_name() const {
+    return backend_.tracer() == Tracer::host_bvh ? kHostBvh : "embree";
+}
+
 ShadingFrame PipelineCore::shading_frame(const EyeView& eye) const {
-    return make_shading_frame(backend_.scene().view(), plan_, tables_, eye, settings_.lighting);
+    return make_shading_frame(backend_.view(), plan_, tables_, eye, settings_.lighting);
 }
 
 }  // namespace foverig

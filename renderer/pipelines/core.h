@@ -1,15 +1,16 @@
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
-#include "renderer/backends/embree/cpu_backend.h"
+#include "renderer/backends/cpu/cpu_backend.h"
 #include "renderer/effects/memory.h"
 #include "renderer/pipelines/shade_tile.h"
 #include "renderer/renderer.h"
 
 namespace foverig {
 
-/// What every pipeline of the CPU mirror has: scene, plan, backend, light tables, a scratch a
+/// What every pipeline on the CPU has: scene, plan, backend, light tables, a scratch a
 /// thread, and the bookkeeping around a frame.
 class PipelineCore {
   public:
@@ -27,10 +28,11 @@ class PipelineCore {
     const RenderSettings& settings() const { return settings_; }
     const EffectPlan& plan() const { return plan_; }
     EffectPlan& plan() { return plan_; }
-    embree::CpuBackend& backend() { return backend_; }
+    CpuBackend& backend() { return backend_; }
     EffectMemory& memory() { return memory_; }
     const Scene& scene() const { return *scene_; }
-    std::uint64_t bytes() const { return memory_.bytes() + backend_.scene().bytes().total(); }
+    std::string backend_name() const;
+    std::uint64_t bytes() const { return memory_.bytes() + backend_.bytes().total(); }
 
   private:
     void record_bytes();
@@ -39,7 +41,7 @@ class PipelineCore {
     RenderSettings settings_;
     EffectPlan plan_;
     EffectMemory memory_;
-    embree::CpuBackend backend_;
+    CpuBackend backend_;
     LightTables tables_;
     std::vector<TileScratch> scratches_;
     std::int64_t frame_start_ns_ = 0;

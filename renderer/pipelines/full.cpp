@@ -21,7 +21,7 @@ int queue_all(TileScratch& s, const TileRect& tile) {
 
 }  // namespace
 
-void FullRenderer::render_tile(embree::Lane& lane, TileScratch& s, const ShadingFrame& frame,
+void FullRenderer::render_tile(Lane& lane, TileScratch& s, const ShadingFrame& frame,
                                const TileRect& tile, View<Half4> image, int width_px) {
     const int n = queue_all(s, tile);
     shade_tile(lane, s, frame, n);
@@ -52,7 +52,7 @@ FrameStats FullRenderer::render(const FrameInput& input) {
         }
         all_pixels += pixel_count(view);
         const ShadingFrame frame = core_.shading_frame(view);
-        core_.backend().for_tiles(eye.grid.count(), [&](embree::Lane& lane, int thread, int tile) {
+        core_.backend().for_tiles(eye.grid.count(), [&](Lane& lane, int thread, int tile) {
             render_tile(lane, core_.scratch(thread), frame, eye.grid.rect(tile), eye.image.view(),
                         view.width_px);
         });

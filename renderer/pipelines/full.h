@@ -12,14 +12,14 @@ class FullRenderer final : public Renderer {
 
     FrameStats render(const FrameInput& input) override;
     const EffectPlan& plan() const override { return core_.plan(); }
-    std::string backend_name() const override { return "embree"; }
+    std::string backend_name() const override { return core_.backend_name(); }
     std::uint64_t backend_bytes() const override { return core_.bytes(); }
     Image image(int eye) const override;
     Mask sampling_mask(int) const override { return {}; }
     Mask resampling_mask(int) const override { return {}; }
 
   private:
-    void render_tile(embree::Lane& lane, TileScratch& scratch, const ShadingFrame& frame,
+    void render_tile(Lane& lane, TileScratch& scratch, const ShadingFrame& frame,
                      const TileRect& tile, View<Half4> image, int width_px);
 
     PipelineCore core_;

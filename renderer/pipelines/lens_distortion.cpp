@@ -8,6 +8,7 @@
 
 #include "renderer/check.h"
 #include "renderer/kernels/lens_distortion.h"
+#include "renderer/task_order.h"
 
 namespace foverig {
 namespace {
@@ -63,13 +64,17 @@ void LensDistortion::apply(std::span<const Image> eyes, Image& panel) const {
         row(y);
     };
     constexpr int kRowsATask = 16;
+    task_order::before_loop();
     arena_->execute([&] {
         tbb::parallel_for(tbb::blocked_range<int>(0, height_px_, kRowsATask),
                           [&](const tbb::blocked_range<int>& rows) {
+                              task_order::task_begins();
                               for (std::size_t eye = 0; eye < eyes.size(); ++eye)
                                   for (int y = rows.begin(); y < rows.end(); ++y) draw(eye, y);
+                              task_order::task_ends();
                           });
     });
+    task_order::after_loop();
 }
 
 Image LensDistortion::apply(std::span<const Image> eyes) const {

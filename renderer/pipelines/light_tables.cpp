@@ -1,6 +1,38 @@
 #include "renderer/pipelines/light_tables.h"
 
+#include <algorithm>
+
 namespace foverig {
+namespace {
+
+/// Which cell of a grid of `samples` cells over the unit square a point is in, quarter by quarter.
+/// An aligned run of 2^m points of a (0,2)-sequence has one in each cell.
+std::uint32_t cell_of(vec2 point, int samples) {
+    std::uint32_t cell = 0;
+    for (int cells = 1; cells < samples; cells *= 2) {
+        point.x *= 2.0F;
+        const bool upper = point.x >= 1.0F;
+        point.x -= upper ? 1.0F : 0.0F;
+        cell = 2 * cell + (upper ? 1U : 0U);
+        std::swap(point.x, point.y);
+    }
+    return cell;
+}
+
+/// Points on a lamp, all patterns. Samples of a pattern are sorted by cell: those next to each
+/// other lie near each other, and sample k lies in the same part of the lamp in every pattern.
+std::vector<vec2> lamp_points(int samples, std::uint32_t seed) {
+    std::vector<vec2> points(static_cast<std::size_t>(kPatterns * samples));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = scrambled_point(static_cast<std::uint32_t>(i), seed);
+    for (auto first = points.begin(); first != points.end(); first += samples)
+        std::sort(first, first + samples, [&](const vec2& a, const vec2& b) {
+            return cell_of(a, samples) < cell_of(b, samples);
+        });
+    return points;
+}
+
+}  // namespace
 
 LightTables::LightTables(EffectMemory& memory, const EffectPlan& plan, const Scene& scene,
                          const LightingSettings& settings) {
@@ -21,11 +53,10 @@ void LightTables::update(std::uint32_t seed, std::uint32_t frame) {
     const std::uint32_t frame_seed = hash32(seed, frame);
     for (std::size_t light = 0; light < area_points_.size(); ++light) {
         const std::uint32_t light_seed = hash32(frame_seed, static_cast<std::uint32_t>(light) + 1U);
-        const std::size_t n = area_points_[light].size() / 2;
-        for (std::size_t i = 0; i < n; ++i) {
-            const vec2 p = scrambled_point(static_cast<std::uint32_t>(i), light_seed);
-            area_points_[light][i] = p.x;
-            area_points_[light][n + i] = p.y;
+        const std::vector<vec2> points = lamp_points(area_samples_, light_seed);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            area_points_[light][i] = points[i].x;
+            area_points_[light][points.size() + i] = points[i].y;
         }
     }
     const std::size_t n = occlusion_.size() / 3;

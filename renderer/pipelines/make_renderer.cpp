@@ -13,7 +13,7 @@ std::vector<std::string> pipeline_names() {
     return {"full", "reference", "reprojected"};
 }
 std::vector<std::string> backend_names() {
-    return {"auto", "embree"};
+    return {"auto", "embree", "host-bvh"};
 }
 
 namespace {

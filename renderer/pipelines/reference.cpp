@@ -69,7 +69,7 @@ bool ReferenceRenderer::done() const {
 
 void ReferenceRenderer::add_samples(Eye& eye, const EyeView& view, int count) {
     const ShadingFrame frame = core_.shading_frame(view);
-    core_.backend().for_tiles(eye.grid.count(), [&](embree::Lane& lane, int thread, int tile) {
+    core_.backend().for_tiles(eye.grid.count(), [&](Lane& lane, int thread, int tile) {
         TileScratch& scratch = core_.scratch(thread);
         const int n = queue_tile(scratch, eye.grid.rect(tile));
         for (int k = samples_; k < samples_ + count; ++k) {
@@ -85,9 +85,10 @@ void ReferenceRenderer::add_samples(Eye& eye, const EyeView& view, int count) {
 }
 
 void ReferenceRenderer::measure(Eye& eye) {
-    const double odd_count = samples_ / 2;
-    const double even_count = samples_ - samples_ / 2;
-    core_.backend().for_tiles(eye.grid.count(), [&](embree::Lane& lane, int, int tile) {
+    const int odd_samples = samples_ / 2;
+    const double odd_count = odd_samples;
+    const double even_count = samples_ - odd_samples;
+    core_.backend().for_tiles(eye.grid.count(), [&](Lane& lane, int, int tile) {
         lane.launch("estimate_error", 1, [&](int) {
             const TileRect r = eye.grid.rect(tile);
             dvec2 sum(0.0);

@@ -18,7 +18,7 @@ class ReferenceRenderer final : public Renderer {
 
     FrameStats render(const FrameInput& input) override;
     const EffectPlan& plan() const override { return core_.plan(); }
-    std::string backend_name() const override { return "embree"; }
+    std::string backend_name() const override { return core_.backend_name(); }
     std::uint64_t backend_bytes() const override { return core_.bytes(); }
     Image image(int eye) const override;
     Mask sampling_mask(int) const override { return {}; }

@@ -8,7 +8,7 @@ constexpr std::size_t kStride = TileScratch::kStride;
 /// The passes of one bounce over the paths that still run.
 class Bounce {
   public:
-    Bounce(embree::Lane& lane, TileScratch& tile, PathScratch& scratch, const ShadingFrame& frame,
+    Bounce(Lane& lane, TileScratch& tile, PathScratch& scratch, const ShadingFrame& frame,
            const PathSampler& sampler, std::uint32_t bounce, bool last)
         : lane_(lane),
           tile_(tile),
@@ -81,7 +81,7 @@ class Bounce {
         const Surfaces s = tile_.surfaces();
         if (frame_.plan->on(Effect::point_light)) {
             for (const PointLight& light : frame_.scene.point_lights) {
-                tile_.rays.shadow += lane_.visible("shadow_point", surfaces, 1,
+                tile_.rays.shadow += lane_.visible("shadow_point", surfaces, 1, 1,
                                                    PointLightRays{s, light}, StoreVisible{s});
                 lane_.launch("shade_point_light", surfaces, AddPointLight{s, light});
             }
@@ -97,12 +97,12 @@ class Bounce {
                     light,   normal * (1.0F / area_m2),
                     area_m2, kLightPair + 2 * static_cast<std::uint32_t>(i)};
                 tile_.rays.shadow +=
-                    lane_.visible("shadow_area", surfaces, PathAreaLightRays::kSamples, rays,
+                    lane_.visible("shadow_area", surfaces, PathAreaLightRays::kSamples, 1, rays,
                                   AddAreaLight{s, light.radiance});
             }
         }
         if (frame_.plan->on(Effect::ambient_occlusion))
-            tile_.rays.ao += lane_.visible("ambient_occlusion", surfaces, 1,
+            tile_.rays.ao += lane_.visible("ambient_occlusion", surfaces, 1, 1,
                                            PathOcclusionRays{s, vertex_, frame_.occlusion_reach_m},
                                            StoreOcclusion{s, 1.0F});
     }
@@ -137,7 +137,7 @@ class Bounce {
             launch.template operator()<false, false>();
     }
 
-    embree::Lane& lane_;
+    Lane& lane_;
     TileScratch& tile_;
     PathScratch& scratch_;
     const ShadingFrame& frame_;
@@ -167,9 +167,8 @@ PathStates PathScratch::states(const TileScratch& tile) {
             mirrored.view()};
 }
 
-void trace_paths(embree::Lane& lane, TileScratch& tile, PathScratch& scratch,
-                 const ShadingFrame& frame, int n, const PathSampler& sampler, int max_bounces,
-                 const HalfSums& sums) {
+void trace_paths(Lane& lane, TileScratch& tile, PathScratch& scratch, const ShadingFrame& frame,
+                 int n, const PathSampler& sampler, int max_bounces, const HalfSums& sums) {
     const PathStates paths = scratch.states(tile);
     lane.launch("begin_paths", n, BeginPaths{frame.eye, sampler, paths});
     int running = n;

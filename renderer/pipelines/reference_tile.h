@@ -19,8 +19,7 @@ struct PathScratch {
 
 /// One sample of the first `n` pixels of `tile.pixels`, added to `sums`: direct light as `full`
 /// models it at every vertex, up to `max_bounces` further vertices. Adds to the tile's ray counts.
-void trace_paths(embree::Lane& lane, TileScratch& tile, PathScratch& scratch,
-                 const ShadingFrame& frame, int n, const PathSampler& sampler, int max_bounces,
-                 const HalfSums& sums);
+void trace_paths(Lane& lane, TileScratch& tile, PathScratch& scratch, const ShadingFrame& frame,
+                 int n, const PathSampler& sampler, int max_bounces, const HalfSums& sums);
 
 }  // namespace foverig

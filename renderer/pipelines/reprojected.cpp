@@ -103,7 +103,7 @@ void ReprojectedRenderer::draw_taps(std::uint32_t frame_seed) {
     }
 }
 
-int ReprojectedRenderer::queue_pixels(embree::Lane& lane, int thread, ReprojectedEye& eye,
+int ReprojectedRenderer::queue_pixels(Lane& lane, int thread, ReprojectedEye& eye,
                                       const EyeInput& input, int tile, std::uint32_t frame_seed) {
     const TileRect rect = eye.grid.rect(tile);
     std::uint8_t* const flags = scratches_[static_cast<std::size_t>(thread)].pixel_flags.data();
@@ -138,9 +138,8 @@ int ReprojectedRenderer::queue_pixels(embree::Lane& lane, int thread, Reprojecte
     return n;
 }
 
-void ReprojectedRenderer::store_samples(embree::Lane& lane, TileScratch& scratch,
-                                        ReprojectedEye& eye, int tile, int n,
-                                        const ShadingFrame& frame) {
+void ReprojectedRenderer::store_samples(Lane& lane, TileScratch& scratch, ReprojectedEye& eye,
+                                        int tile, int n, const ShadingFrame& frame) {
     const auto store = [&]<bool kOcclusion, bool kLightBuffer>() {
         lane.launch("store_samples", n,
                     StoreSamples<kOcclusion, kLightBuffer>{
@@ -162,7 +161,7 @@ void ReprojectedRenderer::trace_tiles(ReprojectedEye& eye, const EyeInput& input
     shading.pattern_seed = hash32(core_.settings().seed ^ 0x3C6EF372U, frame);
     shading.jitter_px = jitter_of(core_.plan(), frame);
     const std::uint32_t frame_seed = hash32(core_.settings().seed, frame);
-    core_.backend().for_tiles(eye.grid.count(), [&](embree::Lane& lane, int thread, int tile) {
+    core_.backend().for_tiles(eye.grid.count(), [&](Lane& lane, int thread, int tile) {
         TileScratch& scratch = core_.scratch(thread);
         const int n = queue_pixels(lane, thread, eye, input, tile, frame_seed);
         shade_tile(lane, scratch, shading, n);

@@ -14,7 +14,7 @@ class ReprojectedRenderer final : public Renderer {
 
     FrameStats render(const FrameInput& input) override;
     const EffectPlan& plan() const override { return core_.plan(); }
-    std::string backend_name() const override { return "embree"; }
+    std::string backend_name() const override { return core_.backend_name(); }
     std::uint64_t backend_bytes() const override { return core_.bytes(); }
     Image image(int eye) const override;
     Mask sampling_mask(int eye) const override;
@@ -38,15 +38,15 @@ class ReprojectedRenderer final : public Renderer {
     void reproject_mesh(ReprojectedEye& eye);
     void find_resampling(ReprojectedEye& eye);
     void trace_tiles(ReprojectedEye& eye, const EyeInput& input, std::uint32_t frame);
-    int queue_pixels(embree::Lane& lane, int thread, ReprojectedEye& eye, const EyeInput& input,
-                     int tile, std::uint32_t frame_seed);
-    void store_samples(embree::Lane& lane, TileScratch& scratch, ReprojectedEye& eye, int tile,
-                       int n, const ShadingFrame& frame);
+    int queue_pixels(Lane& lane, int thread, ReprojectedEye& eye, const EyeInput& input, int tile,
+                     std::uint32_t frame_seed);
+    void store_samples(Lane& lane, TileScratch& scratch, ReprojectedEye& eye, int tile, int n,
+                       const ShadingFrame& frame);
     void raster_tile(ReprojectedEye& eye, Scratch& scratch, const RasterFrame& frame,
                      const TileRange& range);
     void combine_tiles(ReprojectedEye& eye, std::uint32_t frame);
     template <bool kOcclusion, bool kLightBuffer>
-    void combine_tile(embree::Lane& lane, ReprojectedEye& eye, Scratch& scratch, int tile,
+    void combine_tile(Lane& lane, ReprojectedEye& eye, Scratch& scratch, int tile,
                       std::uint32_t frame);
     void post_process(ReprojectedEye& eye, std::uint32_t frame_seed);
 

@@ -46,8 +46,7 @@ void ReprojectedRenderer::find_resampling(ReprojectedEye& eye) {
     const auto full_tile = [](float coarse_px, float scale, int tiles) {
         return tile_index(coarse_px / scale, 1.0F / kTile, tiles);
     };
-    core_.backend().for_tiles(eye.coarse_grid.count(), [&](embree::Lane& lane, int thread,
-                                                           int index) {
+    core_.backend().for_tiles(eye.coarse_grid.count(), [&](Lane& lane, int thread, int index) {
         const TileRect rect = eye.coarse_grid.rect(index);
         Scratch& scratch = scratches_[static_cast<std::size_t>(thread)];
         const RasterFrame frame{eye.mesh(), scale_x,    scale_y,    rect.x0,
@@ -73,8 +72,8 @@ void ReprojectedRenderer::find_resampling(ReprojectedEye& eye) {
 }
 
 template <bool kOcclusion, bool kLightBuffer>
-void ReprojectedRenderer::combine_tile(embree::Lane& lane, ReprojectedEye& eye, Scratch& scratch,
-                                       int tile, std::uint32_t frame) {
+void ReprojectedRenderer::combine_tile(Lane& lane, ReprojectedEye& eye, Scratch& scratch, int tile,
+                                       std::uint32_t frame) {
     const TileRect rect = eye.grid.rect(tile);
     const RasterTile raster = scratch.raster();
     const HistoryImages to = eye.current();
@@ -138,7 +137,7 @@ void ReprojectedRenderer::combine_tile(embree::Lane& lane, ReprojectedEye& eye, 
 }
 
 void ReprojectedRenderer::combine_tiles(ReprojectedEye& eye, std::uint32_t frame) {
-    core_.backend().for_tiles(eye.grid.count(), [&](embree::Lane& lane, int thread, int tile) {
+    core_.backend().for_tiles(eye.grid.count(), [&](Lane& lane, int thread, int tile) {
         Scratch& scratch = scratches_[static_cast<std::size_t>(thread)];
         if (core_.plan().on(Effect::ambient_occlusion))
             combine_tile<true, true>(lane, eye, scratch, tile, frame);
@@ -151,7 +150,7 @@ void ReprojectedRenderer::combine_tiles(ReprojectedEye& eye, std::uint32_t frame
 
 void ReprojectedRenderer::post_process(ReprojectedEye& eye, std::uint32_t frame_seed) {
     const ReprojectionSettings& s = core_.settings().reprojection;
-    core_.backend().for_tiles(eye.grid.count(), [&](embree::Lane& lane, int, int tile) {
+    core_.backend().for_tiles(eye.grid.count(), [&](Lane& lane, int, int tile) {
         const auto run = [&]<bool kOcclusion>() {
             lane.launch(
                 "post_process", eye.sample_counts[static_cast<std::size_t>(tile)],

@@ -1,7 +1,7 @@
 #pragma once
 // The ray passes of one tile: primary rays of the queued pixels, surfaces, then every light that
 // the plan has on. Shared by all pipelines that shade as Weier 2016 3.1 does.
-#include "renderer/backends/embree/cpu_backend.h"
+#include "renderer/backends/cpu/cpu_backend.h"
 #include "renderer/effects/plan.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/pipelines/light_tables.h"
@@ -25,8 +25,12 @@ ShadingFrame make_shading_frame(const SceneView& scene, const EffectPlan& plan,
                                 const LightTables& tables, const EyeView& eye,
                                 const LightingSettings& lighting);
 
+/// How many rays from one surface to an area light share a packet with those of its neighbours:
+/// four points of one quarter of the lamp (see LightTables), or as many as divide the samples.
+int lamp_samples_per_packet(int samples);
+
 /// Traces and lights the first `n` pixels of `scratch.pixels`; afterwards `scratch.slots` says
 /// where the surface records lie. Adds to the scratch's counts. Returns the number of surfaces.
-int shade_tile(embree::Lane& lane, TileScratch& scratch, const ShadingFrame& frame, int n);
+int shade_tile(Lane& lane, TileScratch& scratch, const ShadingFrame& frame, int n);
 
 }  // namespace foverig

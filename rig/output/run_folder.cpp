@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 #include "rig/failure.h"
 
@@ -70,10 +72,13 @@ void RunFolder::publish() {
 }
 
 void write_text(const fs::path& file, std::string_view text) {
+    errno = 0;
     std::ofstream stream(file, std::ios::binary);
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
     stream.close();
-    if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+    if (!stream)
+        throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(),
+                                             std::generic_category().message(errno)));
 }
 
 void replace_text(const fs::path& file, std::string_view text) {

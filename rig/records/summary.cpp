@@ -6,6 +6,7 @@
 
 #include "rig/records/columns.h"
 #include "rig/records/distribution.h"
+#include "rig/records/panel_record.h"
 #include "rig/records/vsync_count.h"
 
 namespace foverig {
@@ -96,15 +97,23 @@ json latencies(const std::vector<FrameRecord>& frames) {
         {"gaze_error_deg", spread(frames, [](const FrameRecord& f) { return f.gaze_error_deg; })}};
 }
 
-json devices_json(const std::vector<DeviceRecord>& devices) {
+json devices_json(const RunRecord& run) {
     json all = json::object();
-    for (const DeviceRecord& device : devices) {
+    for (const DeviceRecord& device : run.devices) {
         all[device.name] = {{"samples", device.counts.samples},
                             {"lost", device.counts.lost},
                             {"rejected", device.counts.rejected},
                             {"reconnects", device.counts.reconnects},
                             {"rate_hz", or_null(device.rate_hz)}};
     }
+    // It sends nothing of its own that could be lost or malformed: read-backs ride in the headset's
+    // reports, and are counted there.
+    const PanelRecord panel = panel_record(run.frames);
+    all["panel"] = {{"samples", panel.samples},
+                    {"lost", nullptr},
+                    {"rejected", nullptr},
+                    {"reconnects", nullptr},
+                    {"rate_hz", or_null(panel.rate_hz)}};
     return all;
 }
 
@@ -113,6 +122,15 @@ std::uint64_t base_bytes(const RunRecord& run) {
     std::uint64_t bytes = run.backend_bytes;
     for (const PlannedEffect& effect : run.plan) bytes -= effect.bytes.value_or(0);
     return bytes;
+}
+
+json recording_json(const std::optional<RecordingRecord>& recording) {
+    if (!recording) return nullptr;
+    return {{"file", "session.mcap"},
+            {"messages", recording->messages},
+            {"dropped", recording->dropped},
+            {"dropped_of", recording->dropped_of},
+            {"bytes", recording->bytes}};
 }
 
 json numerics_json(const std::vector<FrameRecord>& frames) {
@@ -167,7 +185,8 @@ json summary_json(const RunRecord& run, const json& scenario, const BuildInfo& b
     summary["sampled_pixel_ratio"] = sampled_ratio(frames);
     summary["vsync"] = vsync_json(run, count);
     summary["latency_ms"] = latencies(frames);
-    summary["devices"] = devices_json(run.devices);
+    summary["devices"] = devices_json(run);
+    summary["recording"] = recording_json(run.recording);
     summary["memory"] = {{"backend_bytes", run.backend_bytes},
                          {"base_bytes", base_bytes(run)},
                          {"peak_rss_bytes", peak_rss}};

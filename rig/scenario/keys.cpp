@@ -10,21 +10,19 @@
 namespace foverig {
 namespace {
 
-std::optional<std::string> only_simulated(const std::string& devices) {
-    if (devices == "sim") return std::nullopt;
-    if (devices == "hardware" || devices.rfind("replay:", 0) == 0) {
-        return "\"sim\": this build has simulated devices only; headsets on the desk and "
-               "recordings come with a later version";
-    }
+std::optional<std::string> known_devices(const std::string& devices) {
+    const bool replay = devices.starts_with("replay:") && devices.size() > 7;
+    if (devices == "sim" || devices == "hardware" || replay) return std::nullopt;
     return "sim, hardware or replay:FILE";
 }
 
 Key devices_key() {
     Key key = text_key(
-        "devices", "sim (hardware and replay:FILE come later)",
-        "where the bytes of the devices come from", [](auto& s) -> auto& { return s.devices; });
+        "devices", "sim, replay:FILE, or hardware (which this build ends with exit code 4)",
+        "where the bytes of the devices come from: models, or a recording",
+        [](auto& s) -> auto& { return s.devices; });
     key.set = [](Scenario& s, const KeyValue& v) {
-        auto complaint = only_simulated(std::get<std::string>(v));
+        auto complaint = known_devices(std::get<std::string>(v));
         if (!complaint) s.devices = std::get<std::string>(v);
         return complaint;
     };
@@ -40,20 +38,6 @@ Key cost_key() {
                                         const KeyValue& v) -> std::optional<std::string> {
         if (!parse_cost(std::get<std::string>(v))) return expected;
         s.cost = std::get<std::string>(v);
-        return std::nullopt;
-    };
-    return key;
-}
-
-Key recording_key() {
-    Key key = flag_key(
-        "recording.enabled", "record the devices' bytes (not in this version yet)",
-        [](auto& s) -> auto& { return s.recording; });
-    key.expected = "false (recording comes with a later version)";
-    key.set = [expected = key.expected](Scenario& s,
-                                        const KeyValue& v) -> std::optional<std::string> {
-        if (std::get<bool>(v)) return expected;
-        s.recording = false;
         return std::nullopt;
     };
     return key;
@@ -110,7 +94,8 @@ void add_run_keys(std::vector<Key>& keys) {
 
 void add_display_keys(std::vector<Key>& keys) {
     keys.push_back(choice_key(
-        "display.kind", {"virtual"}, "the panel that shows the frames",
+        "display.kind", {"virtual", "headset"},
+        "the panel that shows the frames (headset: not in this build, exit code 4)",
         [](auto& s) -> auto& { return s.display.kind; }));
     keys.push_back(number_key(
         "display.rate_hz", "Hz", {1.0, 1000.0}, "VSync rate (DK2: 75)",
@@ -141,7 +126,19 @@ void add_output_keys(std::vector<Key>& keys) {
     keys.push_back(flag_key(
         "images.error", "render those frames again in full and keep the difference",
         [](auto& s) -> auto& { return s.images.error; }));
-    keys.push_back(recording_key());
+    keys.push_back(flag_key(
+        "recording.enabled", "record the devices' bytes, samples and frames in session.mcap",
+        [](auto& s) -> auto& { return s.recording.enabled; }));
+    keys.push_back(flag_key(
+        "recording.decoded", "samples beside the bytes, to plot them; false: a quarter of the size",
+        [](auto& s) -> auto& { return s.recording.decoded; }));
+    keys.push_back(number_key(
+        "replay.speed", "", {0.01, 1000.0},
+        "how fast a recording goes on the wall clock; lockstep goes as fast as possible",
+        [](auto& s) -> auto& { return s.replay.speed; }));
+    keys.push_back(flag_key(
+        "replay.loop", "begin a recording again at its end",
+        [](auto& s) -> auto& { return s.replay.loop; }));
 }
 
 std::vector<Key> make_keys() {

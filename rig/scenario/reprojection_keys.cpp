@@ -2,6 +2,20 @@
 #include "rig/scenario/render_keys.h"
 
 namespace foverig {
+namespace {
+
+/// The kernel is compiled for these counts alone.
+void only_powers_of_two(Key& key) {
+    key.expected = "1, 2, 4 or 8";
+    key.set = [set = key.set, expected = key.expected](
+                  Scenario& s, const KeyValue& v) -> std::optional<std::string> {
+        const std::int64_t count = std::get<std::int64_t>(v);
+        if (count < 1 || (count & (count - 1)) != 0) return expected;
+        return set(s, v) ? std::optional(expected) : std::nullopt;
+    };
+}
+
+}  // namespace
 
 void add_reprojection_keys(std::vector<Key>& keys) {
     const auto number = [&](const char* name, Range range, const char* help, auto at) {
@@ -43,8 +57,9 @@ void add_reprojection_keys(std::vector<Key>& keys) {
         "k_min_light", {0.0, 1.0}, "k_min of the light buffer",
         [](auto& s) -> auto& { return s.render.reprojection.k_min_light; });
     integer(
-        "footprint_samples", "", {1, 64}, "taps of the reprojected pixel's footprint",
+        "footprint_samples", "", {1, 8}, "taps of the reprojected pixel's footprint",
         [](auto& s) -> auto& { return s.render.reprojection.footprint_samples; });
+    only_powers_of_two(keys.back());
     number(
         "footprint_sigma", {0.0, 10.0}, "of those taps, of the footprint's width",
         [](auto& s) -> auto& { return s.render.reprojection.footprint_sigma; });

@@ -2,6 +2,7 @@
 // Everything that decides what a run does. Defaults are the built-in scenario.
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/settings.h"
@@ -51,19 +52,31 @@ struct ImageSettings {
     bool error = true;                 ///< render them again in full and show the difference
 };
 
+struct RecordingSettings {
+    bool enabled = false;
+    bool decoded = true;  ///< samples beside the bytes they came from, for plots
+};
+
+/// Of `devices = "replay:FILE"`.
+struct ReplaySettings {
+    double speed = 1.0;  ///< of the wall clock against the recording's
+    bool loop = false;   ///< begin again at the recording's end
+};
+
 inline constexpr std::int64_t kDefaultFrames = 90;
 
 struct Scenario {
     std::string scene = "atrium";
-    double scene_scale = 1.0;   ///< metres per unit of the file
-    double scene_detail = 1.0;  ///< triangle count of a built-in scene, relative
-    std::string devices = "sim";
+    double scene_scale = 1.0;     ///< metres per unit of the file
+    double scene_detail = 1.0;    ///< triangle count of a built-in scene, relative
+    std::string devices = "sim";  ///< or replay:FILE
     std::string clock = "lockstep";
     std::string cost = "measured";
     std::int64_t frames = 0;  ///< 0: until `seconds`; both 0: kDefaultFrames
     double seconds = 0.0;     ///< of the run's clock; 0: until `frames`
     double settle_s = 0.5;    ///< devices run this long before the first frame
-    bool recording = false;
+    RecordingSettings recording;
+    ReplaySettings replay;
     DisplaySettings display;
     CameraSettings camera;
     LightSettings lights;
@@ -72,5 +85,16 @@ struct Scenario {
     FaultSettings faults;
     RenderSettings render;
 };
+
+/// The file that the devices are replayed from; empty: they are not.
+inline std::string replayed_file(const Scenario& scenario) {
+    constexpr std::string_view kPrefix = "replay:";
+    return scenario.devices.starts_with(kPrefix) ? scenario.devices.substr(kPrefix.size()) : "";
+}
+
+/// Of the wall clock: a recording may be replayed faster or slower, other devices cannot be.
+inline double replay_speed(const Scenario& scenario) {
+    return replayed_file(scenario).empty() ? 1.0 : scenario.replay.speed;
+}
 
 }  // namespace foverig

@@ -5,14 +5,17 @@
 
 namespace foverig {
 
-GazeTracker::GazeTracker(Transport& transport, const Clock& clock)
-    : source_(opened("gaze", gaze::GazeSource::open(transport, clock))) {}
+GazeTracker::GazeTracker(Transport& transport, const Clock& clock,
+                         std::function<void(const GazeSample&)> on_sample)
+    : source_(opened("gaze", gaze::GazeSource::open(transport, clock))),
+      on_sample_(std::move(on_sample)) {}
 
 void GazeTracker::read_until(HostTime deadline) {
     while (true) {
         const auto next = source_.next(deadline);
         const auto* sample = std::get_if<GazeSample>(&next);
         if (sample == nullptr) return;
+        if (on_sample_) on_sample_(*sample);
         filter_.add(*sample);
         if (!first_) first_ = sample->host_time;
         newest_any_ = {sample->host_time, sample->arrival};

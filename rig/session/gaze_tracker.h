@@ -1,6 +1,7 @@
 #pragma once
 // From the gaze tracker's bytes to where each eye looks when the light comes.
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "devices/gaze/gaze_filter.h"
@@ -13,8 +14,10 @@ namespace foverig {
 
 class GazeTracker {
   public:
-    /// Throws DeviceError where the tracker does not answer. Both outlive this.
-    GazeTracker(Transport& transport, const Clock& clock);
+    /// Throws DeviceError where the tracker does not answer. Both outlive this. `on_sample` sees
+    /// each sample before it is filtered.
+    GazeTracker(Transport& transport, const Clock& clock,
+                std::function<void(const GazeSample&)> on_sample = {});
 
     /// Takes all that arrived by `deadline`. A fault (unplugged) leaves the last gaze standing.
     void read_until(HostTime deadline);
@@ -23,11 +26,13 @@ class GazeTracker {
     std::array<dvec3, 2> at(HostTime photon) const;
     /// Newest sample in which an eye was seen.
     const std::optional<SampleInstants>& newest() const { return newest_; }
+    const gaze::Info& info() const { return source_.info(); }
     DeviceRecord record() const;
 
   private:
     gaze::GazeSource source_;
     GazeFilter filter_;
+    std::function<void(const GazeSample&)> on_sample_;
     std::optional<HostTime> first_;
     std::optional<SampleInstants> newest_;
     std::optional<SampleInstants> newest_any_;

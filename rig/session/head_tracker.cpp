@@ -5,14 +5,18 @@
 
 namespace foverig {
 
-HeadTracker::HeadTracker(Transport& transport, HostTime now, const HeadFusionConfig& config)
-    : source_(opened("dk2", dk2::Dk2ImuSource::open(transport, now))), fusion_(config) {}
+HeadTracker::HeadTracker(Transport& transport, HostTime now, const HeadFusionConfig& config,
+                         std::function<void(const ImuSample&)> on_sample)
+    : source_(opened("dk2", dk2::Dk2ImuSource::open(transport, now))),
+      fusion_(config),
+      on_sample_(std::move(on_sample)) {}
 
 void HeadTracker::read_until(HostTime deadline) {
     while (true) {
         const auto next = source_.next(deadline);
         const auto* sample = std::get_if<ImuSample>(&next);
         if (sample == nullptr) return;
+        if (on_sample_) on_sample_(*sample);
         fusion_.add(*sample);
         if (!first_) first_ = sample->host_time;
         newest_ = {sample->host_time, sample->arrival};

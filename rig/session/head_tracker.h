@@ -1,5 +1,6 @@
 #pragma once
 // From the headset's bytes to the head's pose at a time to come.
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -14,7 +15,9 @@ namespace foverig {
 class HeadTracker {
   public:
     /// Throws DeviceError where the headset does not answer. `transport` outlives the tracker.
-    HeadTracker(Transport& transport, HostTime now, const HeadFusionConfig& config);
+    /// `on_sample` sees each sample before it is fused.
+    HeadTracker(Transport& transport, HostTime now, const HeadFusionConfig& config,
+                std::function<void(const ImuSample&)> on_sample = {});
 
     /// Takes all that arrived by `deadline`. A fault (unplugged) leaves the last pose standing.
     void read_until(HostTime deadline);
@@ -24,11 +27,13 @@ class HeadTracker {
     std::vector<dk2::PanelReadback> take_panel_readbacks() {
         return source_.take_panel_readbacks();
     }
+    const dk2::FactoryCalibration& calibration() const { return source_.calibration(); }
     DeviceRecord record() const;
 
   private:
     dk2::Dk2ImuSource source_;
     HeadFusion fusion_;
+    std::function<void(const ImuSample&)> on_sample_;
     std::optional<HostTime> first_;
     std::optional<SampleInstants> newest_;
 };

@@ -2,9 +2,9 @@
 
 namespace foverig {
 
-RunClock::RunClock(const std::string& kind, const Cost& cost) : cost_(cost) {
+RunClock::RunClock(const std::string& kind, const Cost& cost, double speed) : cost_(cost) {
     if (kind == "wall") {
-        clock_ = std::make_unique<WallClock>();
+        clock_ = std::make_unique<WallClock>(speed);
     } else {
         auto manual = std::make_unique<ManualClock>();
         manual_ = manual.get();

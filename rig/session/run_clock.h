@@ -11,8 +11,8 @@ namespace foverig {
 /// wall: time passes by itself. lockstep: work takes what it measured, or a fixed time.
 class RunClock {
   public:
-    /// `kind`: wall or lockstep.
-    RunClock(const std::string& kind, const Cost& cost);
+    /// `kind`: wall or lockstep; `speed` of the wall clock.
+    RunClock(const std::string& kind, const Cost& cost, double speed = 1.0);
 
     Clock& clock() { return *clock_; }
     HostTime now() const { return clock_->now(); }

@@ -7,16 +7,9 @@
 namespace foverig {
 namespace {
 
-constexpr Nanoseconds kSettleStep{10'000'000};
 constexpr Nanoseconds kReadbackTail{60'000'000};  // read-backs come one or two VSyncs late
 
 constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
-
-/// Sources start at yaw 0, which no gravity corrects; the truth says where the head was.
-HeadFusionConfig aligned_fusion(const dquat& true_head) {
-    const dvec3 ahead = true_head * dvec3(0.0, 0.0, -1.0);
-    return {.initial_yaw_rad = std::atan2(-ahead.x, -ahead.z)};
-}
 
 std::size_t eye_count(const Scenario& scenario) {
     return static_cast<std::size_t>(scenario.display.eyes);
@@ -28,23 +21,24 @@ HostTime mean_of(HostTime a, HostTime b) {
 
 }  // namespace
 
-Session::Session(const Scenario& scenario, const Scene& scene, Renderer& renderer, LensPass* lens)
+Session::Session(const Scenario& scenario, const Scene& scene, Renderer& renderer, LensPass* lens,
+                 SessionRecording* recording)
     : scenario_(scenario),
       renderer_(renderer),
       lens_(lens),
-      clock_(scenario.clock, parse_cost(scenario.cost).value_or(Cost{})),
-      world_(scenario, clock_.clock()),
-      head_(world_.headset(), clock_.now(), aligned_fusion(world_.true_head(clock_.now()))),
-      gaze_(world_.gaze_tracker(), clock_.clock()),
+      clock_(scenario.clock, parse_cost(scenario.cost).value_or(Cost{}), replay_speed(scenario)),
+      recording_(recording),
+      world_(make_world(scenario, clock_.clock())),
+      devices_(*world_, clock_.clock(), recording),
       flight_(scenario.camera, scene),
       views_(scenario.display),
-      pacing_(scenario.display.pacing, world_.display()) {}
+      pacing_(scenario.display.pacing, world_->display()) {}
 
 RunRecord Session::run(const SessionHooks& hooks) {
-    settle();
+    devices_.run_for(from_seconds(scenario_.settle_s));
     start_ = clock_.now();
     bool interrupted = false;
-    while (share_done(frames_.size()) < 1.0) {
+    while (share_done(frames_.size()) < 1.0 && !world_->at_end()) {
         if (hooks.stop_requested()) {
             interrupted = true;
             break;
@@ -66,29 +60,21 @@ RunRecord Session::run(const SessionHooks& hooks) {
         FrameRecord& done = frames_.back();
         const double share = share_done(frames_.size());
         done.image_kept = hooks.frame_done(done, input, share);
+        if (recording_ != nullptr) recording_->frames(frames_, false);
         hooks.progress({frames_.size(), std::min(share, 1.0), to_ms(done.present - done.begin)});
     }
     return finish(interrupted);
 }
 
-void Session::settle() {
-    const HostTime until = clock_.now() + from_seconds(scenario_.settle_s);
-    while (clock_.now() < until) {
-        clock_.clock().sleep_until(std::min(until, clock_.now() + kSettleStep));
-        read_devices(clock_.now());
-    }
-}
-
 void Session::read_devices(HostTime deadline) {
-    head_.read_until(deadline);
-    gaze_.read_until(deadline);
+    devices_.read_until(deadline);
     match_readbacks();
 }
 
 FrameInput Session::input_for(FrameRecord& frame, HostTime expected_vsync) {
-    const PanelTiming& timing = world_.display().timing();
-    frame.pose = head_.newest();
-    frame.gaze = gaze_.newest();
+    const PanelTiming& timing = world_->display().timing();
+    frame.pose = devices_.head().newest();
+    frame.gaze = devices_.gaze().newest();
     const auto eyes = eye_count(scenario_);
     const HostTime first = timing.photon(expected_vsync, kEyes.front());
     frame.predicted_photon = mean_of(first, timing.photon(expected_vsync, kEyes[eyes - 1]));
@@ -99,11 +85,11 @@ FrameInput Session::input_for(FrameRecord& frame, HostTime expected_vsync) {
     const Stand stand = flight_.at(input.time_s);
     for (std::size_t i = 0; i < eyes; ++i) {
         const HostTime photon = timing.photon(expected_vsync, kEyes[i]);
-        poses_[i] = head_.predict(photon);
-        input.eyes.push_back(views_.eye(kEyes[i], stand, poses_[i], gaze_.at(photon)[i]));
+        poses_[i] = devices_.head().predict(photon);
+        input.eyes.push_back(views_.eye(kEyes[i], stand, poses_[i], devices_.gaze().at(photon)[i]));
         frame.gaze_direction[i] = input.eyes[i].gaze;
     }
-    const Pose middle = head_.predict(frame.predicted_photon);
+    const Pose middle = devices_.head().predict(frame.predicted_photon);
     frame.world_from_head = middle.world_from_head;
     frame.head_position_m = stand.position_m + stand.world_from_body * middle.position_m;
     return input;
@@ -133,13 +119,13 @@ void Session::present(FrameRecord& frame, HostTime expected_vsync) {
                                                        .submit = frame.present,
                                                        .predicted_scan_out = expected_vsync});
     }
-    show(frame, world_.display().present(on_panel, frame.present));
+    show(frame, world_->display().present(on_panel, frame.present));
     pacing_.frame_done(frame.begin, frame.present);
 }
 
 void Session::show(FrameRecord& frame, const Presentation& shown) {
     if (shown.replaced && !frames_.empty()) frames_.back().drop();
-    const PanelTiming& timing = world_.display().timing();
+    const PanelTiming& timing = world_->display().timing();
     frame.shown_vsync = shown.vsync_number;
     frame.vsync = shown.vsync;
     const auto eyes = eye_count(scenario_);
@@ -158,15 +144,19 @@ void Session::show(FrameRecord& frame, const Presentation& shown) {
 void Session::judge(FrameRecord& frame, const FrameInput& input) const {
     double error_deg = 0.0;
     for (std::size_t i = 0; i < input.eyes.size(); ++i) {
-        error_deg += angle_deg(poses_[i].world_from_head, world_.true_head(*frame.photon_eye[i]));
+        const auto truth = world_->true_head(*frame.photon_eye[i]);
+        if (!truth) return;
+        error_deg += angle_deg(poses_[i].world_from_head, *truth);
     }
     frame.prediction_error_deg = error_deg / static_cast<double>(input.eyes.size());
-    frame.gaze_error_deg =
-        angle_deg(dvec3(input.eyes[0].gaze), world_.true_gaze(*frame.photon_eye[0])[0]);
+    const auto true_gaze = world_->true_gaze(*frame.photon_eye[0]);
+    if (true_gaze) frame.gaze_error_deg = angle_deg(dvec3(input.eyes[0].gaze), (*true_gaze)[0]);
 }
 
 void Session::match_readbacks() {
-    for (const auto& readback : head_.take_panel_readbacks()) {
+    const auto readbacks = devices_.head().take_panel_readbacks();
+    if (!world_->reads_back_our_frames()) return;
+    for (const auto& readback : readbacks) {
         for (const LatencyReading& reading :
              latency_tester_.read_back(readback.frame_count, readback.vsync, readback.grey)) {
             if (reading.frame_id >= frames_.size()) continue;
@@ -193,8 +183,12 @@ RunRecord Session::finish(bool interrupted) {
     clock_.clock().sleep_until(clock_.now() + kReadbackTail);
     read_devices(clock_.now());
     RunRecord run;
+    if (recording_ != nullptr) {
+        recording_->frames(frames_, true);
+        run.recording = recording_->end();
+    }
     run.frames = std::move(frames_);
-    run.devices = {head_.record(), gaze_.record()};
+    run.devices = devices_.records();
     run.plan = renderer_.plan().effects();
     run.pipeline = scenario_.render.pipeline;
     run.backend = renderer_.backend_name();

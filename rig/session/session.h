@@ -1,19 +1,17 @@
 #pragma once
 // The frame loop: from bytes of devices to light, with every instant recorded. The same code drives
-// wall and lockstep clocks, and will drive real devices as it does simulated ones.
+// wall and lockstep clocks, simulated and replayed devices, and will drive real ones.
 #include <functional>
 
 #include "devices/display/latency_tester.h"
 #include "renderer/renderer.h"
 #include "rig/records/run_record.h"
 #include "rig/scenario/scenario.h"
+#include "rig/session/device_streams.h"
 #include "rig/session/eye_views.h"
-#include "rig/session/gaze_tracker.h"
-#include "rig/session/head_tracker.h"
 #include "rig/session/lens_pass.h"
 #include "rig/session/pacing.h"
 #include "rig/session/run_clock.h"
-#include "rig/session/simulated_world.h"
 
 namespace foverig {
 
@@ -34,13 +32,13 @@ struct SessionHooks {
 
 class Session {
   public:
-    /// All outlive the session; `lens` may be null: no distortion pass.
-    Session(const Scenario& scenario, const Scene& scene, Renderer& renderer, LensPass* lens);
+    /// All outlive the session; `lens` may be null: no distortion pass. So may `recording`.
+    Session(const Scenario& scenario, const Scene& scene, Renderer& renderer, LensPass* lens,
+            SessionRecording* recording = nullptr);
 
     RunRecord run(const SessionHooks& hooks);
 
   private:
-    void settle();
     void read_devices(HostTime deadline);
     FrameInput input_for(FrameRecord& frame, HostTime expected_vsync);
     void render_frame(FrameRecord& frame, FrameInput& input);
@@ -55,9 +53,9 @@ class Session {
     Renderer& renderer_;
     LensPass* lens_;
     RunClock clock_;
-    SimulatedWorld world_;
-    HeadTracker head_;
-    GazeTracker gaze_;
+    SessionRecording* recording_;
+    std::unique_ptr<World> world_;
+    DeviceStreams devices_;
     CameraFlight flight_;
     EyeViews views_;
     Pacing pacing_;

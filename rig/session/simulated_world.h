@@ -1,11 +1,7 @@
 #pragma once
 // Everything that stands for hardware when `devices` is sim: a head, two eyes, a headset and a gaze
 // tracker that speak bytes, a panel, and the truth to judge predictions by.
-#include <array>
-#include <memory>
-
-#include "devices/time.h"
-#include "rig/scenario/scenario.h"
+#include "rig/session/world.h"
 #include "simulators/dk2/simulated_dk2.h"
 #include "simulators/gaze/simulated_gaze.h"
 #include "simulators/motion/eye_motion.h"
@@ -14,22 +10,26 @@
 
 namespace foverig {
 
-class SimulatedWorld {
+class SimulatedWorld final : public World {
   public:
     /// Throws UsageError for an unknown motion, InputError for a recording that cannot be read.
     /// `clock` outlives the world.
     SimulatedWorld(const Scenario& scenario, Clock& clock);
 
-    Transport& headset() { return headset_; }
-    Transport& gaze_tracker() { return gaze_tracker_; }
-    Display& display() { return panel_; }
+    Transport& headset() override { return headset_; }
+    Transport& gaze_tracker() override { return gaze_tracker_; }
+    Display& display() override { return panel_; }
 
-    dquat true_head(HostTime time) const;
-    std::array<dvec3, 2> true_gaze(HostTime time) const;
+    double initial_yaw_rad() const override;
+    std::optional<dquat> true_head(HostTime time) const override;
+    std::optional<std::array<dvec3, 2>> true_gaze(HostTime time) const override;
+    bool reads_back_our_frames() const override { return true; }
+    bool at_end() const override { return false; }
 
   private:
     std::unique_ptr<motion::HeadMotion> head_;
     std::unique_ptr<motion::EyeMotion> eyes_;
+    HostTime start_;
     VirtualPanel panel_;
     SimulatedDk2 headset_;
     SimulatedGaze gaze_tracker_;

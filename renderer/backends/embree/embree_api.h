@@ -36,6 +36,23 @@ class Query {
 #endif
     }
 
+    void closest1(RTCScene scene, RTCRayHit& ray) {
+#if RTC_VERSION_MAJOR >= 4
+        rtcIntersect1(scene, &ray, &intersect_);
+#else
+        rtcIntersect1(scene, &context_, &ray);
+#endif
+    }
+
+    /// Sets tfar of an occluded ray to -infinity.
+    void occluded1(RTCScene scene, RTCRay& ray) {
+#if RTC_VERSION_MAJOR >= 4
+        rtcOccluded1(scene, &ray, &occluded_);
+#else
+        rtcOccluded1(scene, &context_, &ray);
+#endif
+    }
+
     /// Sets tfar of occluded lanes to -infinity.
     void occluded16(const int* valid, RTCScene scene, RTCRay16& rays) {
 #if RTC_VERSION_MAJOR >= 4

@@ -57,26 +57,30 @@ void closest(RTCScene scene, View<const std::uint32_t> first_triangles, int n,
 }
 
 /// make_ray(slot, sample) -> WeightedRay; on_sum(slot, sum of the weights of unoccluded samples).
-/// Sample k of sixteen slots shares a packet. Returns the number of rays traced.
+/// A packet holds `per_packet` samples (a power of two up to 16 that divides `samples`) of 16 /
+/// per_packet slots. Returns the number of rays traced.
 template <class MakeRay, class OnSum>
-std::uint64_t visible(RTCScene scene, int n, int samples, const MakeRay& make_ray,
+std::uint64_t visible(RTCScene scene, int n, int samples, int per_packet, const MakeRay& make_ray,
                       const OnSum& on_sum) {
     Query query(Coherence::coherent);
     std::uint64_t traced = 0;
-    for (int base = 0; base < n; base += kPacket) {
-        const int active = n - base;
+    const int slots = kPacket / per_packet;
+    const int shift = std::countr_zero(static_cast<unsigned>(slots));
+    for (int base = 0; base < n; base += slots) {
+        const int active = n - base < slots ? n - base : slots;
         alignas(64) float sum[kPacket] = {};
-        for (int sample = 0; sample < samples; ++sample) {
+        for (int first = 0; first < samples; first += per_packet) {
             alignas(64) RTCRay16 packet;
             alignas(64) int valid[kPacket];
             alignas(64) float weight[kPacket];
             int count = 0;
 #pragma GCC ivdep
             for (int lane = 0; lane < kPacket; ++lane) {
-                const WeightedRay r = make_ray(base + lane, sample);
+                const int slot = lane & (slots - 1);
+                const WeightedRay r = make_ray(base + slot, first + (lane >> shift));
                 set_lane(packet, lane, r.ray);
                 weight[lane] = r.weight;
-                valid[lane] = (lane < active) & (r.weight > 0.0F) ? -1 : 0;
+                valid[lane] = (slot < active) & (r.weight > 0.0F) ? -1 : 0;
                 count -= valid[lane];
             }
             if (count == 0) continue;
@@ -85,8 +89,8 @@ std::uint64_t visible(RTCScene scene, int n, int samples, const MakeRay& make_ra
             for (int lane = 0; lane < kPacket; ++lane)
                 sum[lane] += (valid[lane] != 0) & (packet.tfar[lane] >= 0.0F) ? weight[lane] : 0.0F;
         }
-        const int count = active < kPacket ? active : kPacket;
-        for (int lane = 0; lane < count; ++lane) on_sum(base + lane, sum[lane]);
+        for (int lane = slots; lane < kPacket; ++lane) sum[lane & (slots - 1)] += sum[lane];
+        for (int lane = 0; lane < active; ++lane) on_sum(base + lane, sum[lane]);
     }
     return traced;
 }

@@ -57,6 +57,22 @@ TEST(LightTables, EachPatternsAreaPointsAreStratified) {
     }
 }
 
+TEST(LightTables, FourSamplesInARowLieInOneQuarterOfTheLampTheSameInEachPattern) {
+    for (const int samples : {8, 16}) {
+        Fixture f(1, samples, 0);
+        f.tables.update(1, 5);
+        const PatternTable t = f.tables.area(0);
+        for (int first = 0; first < samples; first += 4) {
+            std::set<int> quarters;
+            for (int pattern = 0; pattern < kPatterns; ++pattern)
+                for (int k = first; k < first + 4; ++k)
+                    quarters.insert(static_cast<int>(2.0F * t.get(0, pattern, k)) * 2 +
+                                    static_cast<int>(2.0F * t.get(1, pattern, k)));
+            EXPECT_EQ(quarters.size(), samples == 16 ? 1U : 2U);  // of eight samples: one half
+        }
+    }
+}
+
 TEST(LightTables, OcclusionDirectionsAreUnitAndUp) {
     Fixture f(0, 8, 4);
     f.tables.update(1, 5);

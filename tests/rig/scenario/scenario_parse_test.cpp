@@ -104,10 +104,11 @@ TEST(ScenarioParse, NeverForcesAnEffect) {
     EXPECT_THAT(complaint_of("effects.alpha_mask = \"force\"\n"), HasSubstr("auto or off"));
 }
 
-TEST(ScenarioParse, SaysThatRecordingAndHardwareComeLater) {
-    EXPECT_THAT(complaint_of("recording.enabled = true\n"), HasSubstr("later version"));
-    EXPECT_THAT(complaint_of("devices = \"hardware\"\n"), HasSubstr("later version"));
-    EXPECT_THAT(complaint_of("devices = \"replay:a.mcap\"\n"), HasSubstr("later version"));
+TEST(ScenarioParse, TakesDevicesThatOnlyTheRunCanMiss) {
+    EXPECT_EQ(complaint_of("devices = \"hardware\"\n"), "no complaint");
+    EXPECT_EQ(complaint_of("devices = \"replay:a.mcap\"\n"), "no complaint");
+    EXPECT_THAT(complaint_of("devices = \"wishful\"\n"), HasSubstr("sim, hardware or replay"));
+    EXPECT_THAT(complaint_of("devices = \"replay:\"\n"), HasSubstr("sim, hardware or replay"));
 }
 
 TEST(ScenarioParse, LetsSingleValuesWinOverTheConfiguration) {

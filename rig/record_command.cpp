@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "rig/commands.h"
+#include "rig/interrupt.h"
+#include "rig/require_devices.h"
+#include "rig/scenario/parse.h"
+#include "rig/session/device_streams.h"
+#include "rig/session/run_clock.h"
+#include "simulators/replay/recording.h"
+
+namespace foverig {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr Nanoseconds kStep{100'000'000};  // between two looks at Ctrl-C
+
+fs::path next_free() {
+    for (int i = 1;; ++i) {
+        fs::path file = fs::path("recordings") / fmt::format("{:03}.mcap", i);
+        if (!fs::exists(file)) return file;
+    }
+}
+
+/// A recording is not made again: an older one is never written over.
+fs::path place_of(const RecordRequest& request) {
+    fs::path file = request.out.value_or(next_free());
+    if (fs::exists(file)) {
+        throw UsageError(fmt::format("--out {}: is there already; expected the name of a new file",
+                                     file.string()));
+    }
+    std::error_code error;
+    if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+    return file;
+}
+
+Nanoseconds duration_of(const Scenario& scenario) {
+    return from_seconds(scenario.seconds > 0.0
+                            ? scenario.seconds
+                            : static_cast<double>(scenario.frames) / scenario.display.rate_hz);
+}
+
+void print(const fs::path& file, const std::vector<DeviceRecord>& devices,
+           const RecordingRecord& recording) {
+    for (const DeviceRecord& device : devices) {
+        fmt::print("{:<10} {} samples, {} lost, {} rejected, {} reconnects, {}\n", device.name,
+                   device.counts.samples, device.counts.lost, device.counts.rejected,
+                   device.counts.reconnects,
+                   device.rate_hz ? fmt::format("{:.4g} Hz", *device.rate_hz) : "no rate");
+    }
+    for (const auto& [topic, dropped] : recording.dropped_of) {
+        fmt::print("dropped    {} messages of {}: the disk was too slow\n", dropped, topic);
+    }
+    fmt::print("recording  {} messages, {} dropped, {:.1f} MB: {}\n", recording.messages,
+               recording.dropped, static_cast<double>(recording.bytes) * 1e-6,
+               fs::absolute(file).lexically_normal().string());
+}
+
+}  // namespace
+
+ExitCode record_command(const RecordRequest& request) {
+    const Scenario& scenario = request.scenario;
+    require_devices(scenario);
+    const fs::path file = place_of(request);
+    RunClock clock(scenario.clock, Cost{}, replay_speed(scenario));
+    const auto world = make_world(scenario, clock.clock());
+    SessionRecording recording(file, scenario);
+    DeviceStreams devices(*world, clock.clock(), &recording);
+    const Interrupt interrupt;
+    const HostTime end = clock.now() + from_seconds(scenario.settle_s) + duration_of(scenario);
+    while (clock.now() < end && !interrupt.requested() && !world->at_end()) {
+        devices.run_for(std::min(kStep, end - clock.now()));
+    }
+    print(file, devices.records(), recording.end());
+    return ExitCode::good;
+}
+
+Scenario recorded_scenario(const fs::path& file) {
+    const auto recording = Recording::open(file);
+    if (!recording) throw InputError(recording.error().text);
+    const auto text = recording->attachment(kScenarioAttachment);
+    if (!text) throw InputError(text.error().text);
+    Scenario scenario;
+    try {
+        apply_toml(scenario, *text, file.string() + ": " + kScenarioAttachment);
+    } catch (const UsageError& error) {
+        throw InputError(error.what());  // nobody typed it
+    }
+    scenario.devices = "replay:" + file.string();
+    scenario.recording.enabled = false;
+    return scenario;
+}
+
+}  // namespace foverig

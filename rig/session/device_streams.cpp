@@ -1,0 +1,55 @@
+#include "rig/session/device_streams.h"
+
+#include <algorithm>
+
+namespace foverig {
+namespace {
+
+constexpr Nanoseconds kStep{10'000'000};
+
+template <class Sample>
+std::function<void(const Sample&)> sample_log(SessionRecording* recording) {
+    if (recording == nullptr) return {};
+    return [recording](const Sample& sample) { recording->sample(sample); };
+}
+
+}  // namespace
+
+DeviceStreams::DeviceStreams(World& world, Clock& clock, SessionRecording* recording)
+    : clock_(clock), recording_(recording), head_(open_head(world)), gaze_(open_gaze(world)) {
+    if (recording_ == nullptr) return;
+    recording_->calibration(head_.calibration());
+    recording_->calibration(gaze_.info());
+}
+
+HeadTracker DeviceStreams::open_head(World& world) {
+    Transport* headset = &world.headset();
+    if (recording_ != nullptr) {
+        recording_->begin(world.initial_yaw_rad());
+        headset = &recording_->headset(*headset, clock_);
+    }
+    return {*headset, clock_.now(), HeadFusionConfig{.initial_yaw_rad = world.initial_yaw_rad()},
+            sample_log<ImuSample>(recording_)};
+}
+
+GazeTracker DeviceStreams::open_gaze(World& world) {
+    Transport* tracker = &world.gaze_tracker();
+    if (recording_ != nullptr) tracker = &recording_->gaze_tracker(*tracker, clock_);
+    return {*tracker, clock_, sample_log<GazeSample>(recording_)};
+}
+
+void DeviceStreams::run_for(Nanoseconds duration) {
+    const HostTime until = clock_.now() + duration;
+    while (clock_.now() < until) {
+        clock_.sleep_until(std::min(until, clock_.now() + kStep));
+        read_until(clock_.now());
+    }
+}
+
+void DeviceStreams::read_until(HostTime deadline) {
+    head_.read_until(deadline);
+    gaze_.read_until(deadline);
+    if (recording_ != nullptr) recording_->check();
+}
+
+}  // namespace foverig

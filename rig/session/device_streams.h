@@ -1,0 +1,36 @@
+#pragma once
+// The devices of a world, decoded, and recorded where a recording is given: what a run and
+// `foverig record` share.
+#include "rig/session/gaze_tracker.h"
+#include "rig/session/head_tracker.h"
+#include "rig/session/session_recording.h"
+#include "rig/session/world.h"
+
+namespace foverig {
+
+class DeviceStreams {
+  public:
+    /// Opens the devices; throws DeviceError where one does not answer. `recording` may be null;
+    /// all outlive this.
+    DeviceStreams(World& world, Clock& clock, SessionRecording* recording);
+
+    /// Takes all that arrived until now in steps, for `duration`: clock maps and fusion settle.
+    void run_for(Nanoseconds duration);
+    /// Takes all that arrived by `deadline`. Throws where it could not be recorded.
+    void read_until(HostTime deadline);
+
+    HeadTracker& head() { return head_; }
+    const GazeTracker& gaze() const { return gaze_; }
+    std::vector<DeviceRecord> records() const { return {head_.record(), gaze_.record()}; }
+
+  private:
+    HeadTracker open_head(World& world);
+    GazeTracker open_gaze(World& world);
+
+    Clock& clock_;
+    SessionRecording* recording_;
+    HeadTracker head_;
+    GazeTracker gaze_;
+};
+
+}  // namespace foverig

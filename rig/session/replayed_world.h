@@ -1,0 +1,30 @@
+#pragma once
+#include "rig/session/world.h"
+#include "simulators/panel/virtual_panel.h"
+#include "simulators/replay/replayed_device.h"
+
+namespace foverig {
+
+/// The devices of a recording; the display is the scenario's virtual panel. Nobody knows the truth.
+class ReplayedWorld final : public World {
+  public:
+    ReplayedWorld(const Scenario& scenario, Clock& clock);
+
+    Transport& headset() override { return headset_; }
+    Transport& gaze_tracker() override { return gaze_tracker_; }
+    Display& display() override { return panel_; }
+
+    double initial_yaw_rad() const override { return initial_yaw_rad_; }
+    std::optional<dquat> true_head(HostTime) const override { return std::nullopt; }
+    std::optional<std::array<dvec3, 2>> true_gaze(HostTime) const override { return std::nullopt; }
+    bool reads_back_our_frames() const override { return false; }
+    bool at_end() const override;
+
+  private:
+    Recording recording_;
+    double initial_yaw_rad_;
+    VirtualPanel panel_;
+    ReplayedDevice headset_, gaze_tracker_;
+};
+
+}  // namespace foverig

@@ -1,0 +1,51 @@
+#pragma once
+// session.mcap: the devices' bytes, what they were decoded to, and the frames, while a run goes on.
+#include <filesystem>
+
+#include "devices/dk2/factory_calibration.h"
+#include "devices/gaze/requests.h"
+#include "devices/recording/recorded_transport.h"
+#include "devices/recording/sample_json.h"
+#include "rig/records/run_record.h"
+#include "rig/scenario/scenario.h"
+
+namespace foverig {
+
+inline constexpr const char* kSessionNote = "foverig.session";
+inline constexpr const char* kInitialYaw = "initial_yaw_rad";
+inline constexpr const char* kScenarioAttachment = "scenario.toml";
+
+class SessionRecording {
+  public:
+    /// Begins the file with scenario and build. Throws std::runtime_error where it cannot be made.
+    SessionRecording(const std::filesystem::path& file, const Scenario& scenario);
+    /// The same into any sink.
+    SessionRecording(std::unique_ptr<ByteSink> sink, const Scenario& scenario);
+
+    /// Once, before the devices are opened: what a replay cannot know.
+    void begin(double initial_yaw_rad);
+    /// The devices, whose bytes are recorded from now on. All outlive the use of what is returned.
+    Transport& headset(Transport& device, const Clock& clock);
+    Transport& gaze_tracker(Transport& device, const Clock& clock);
+    void calibration(const dk2::FactoryCalibration& factory);
+    void calibration(const gaze::Info& tracker);
+
+    void sample(const ImuSample& sample);
+    void sample(const GazeSample& sample);
+    /// Frames of a run so far: all but the newest few, which may yet change, or all at its end.
+    void frames(const std::vector<FrameRecord>& frames, bool at_end);
+
+    /// Throws std::runtime_error where something could not be written.
+    void check() const;
+    RecordingRecord end();
+
+  private:
+    std::unique_ptr<Recorder> recorder_;
+    std::optional<Recorder::TopicId> imu_, gaze_;  // none: samples are left out
+    Recorder::TopicId frames_;
+    std::optional<RecordedTransport> headset_, gaze_tracker_;
+    std::size_t frames_written_ = 0;
+    std::string text_;
+};
+
+}  // namespace foverig

@@ -1,0 +1,38 @@
+#pragma once
+// Where the session's devices come from: models (SimulatedWorld) or a recording (ReplayedWorld).
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "devices/display/display.h"
+#include "devices/math.h"
+#include "devices/transport.h"
+#include "rig/scenario/scenario.h"
+
+namespace foverig {
+
+class World {
+  public:
+    virtual ~World() = default;
+
+    virtual Transport& headset() = 0;
+    virtual Transport& gaze_tracker() = 0;
+    virtual Display& display() = 0;
+
+    /// Which way the head faces at the start, which no gravity shows.
+    virtual double initial_yaw_rad() const = 0;
+    /// What predictions are judged by; absent where nobody knows.
+    virtual std::optional<dquat> true_head(HostTime time) const = 0;
+    virtual std::optional<std::array<dvec3, 2>> true_gaze(HostTime time) const = 0;
+
+    /// The headset reads back the frames of this run's display, not those of another run.
+    virtual bool reads_back_our_frames() const = 0;
+    /// Nothing more will come. Throws InputError where the reason is a damaged file.
+    virtual bool at_end() const = 0;
+};
+
+/// What the scenario's `devices` asks for. Throws UsageError for an unknown motion, InputError for
+/// a recording or trajectory that cannot be read. `clock` outlives the world.
+std::unique_ptr<World> make_world(const Scenario& scenario, Clock& clock);
+
+}  // namespace foverig

@@ -1,0 +1,169 @@
+// What each fault of faults.gaze does to the packets.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/simulators/gaze/gaze_bench.h"
+
+namespace foverig {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using test::at;
+using test::GazeBench;
+namespace request = gaze::request;
+
+SimulatedGaze::Settings with(const char* kind, double value, std::uint64_t seed = 0) {
+    FaultSettings faults;
+    EXPECT_TRUE(set_fault(faults, "gaze", kind, value));
+    return {.faults = faults.gaze, .seed = seed};
+}
+
+TEST(SimulatedGaze, DropoutIsAGapInTheSequence) {
+    GazeBench tracker(with("dropout", 0.05));
+    ASSERT_TRUE(tracker.order(request::set_rate, 250));
+    ASSERT_TRUE(tracker.order(request::start));
+    const auto samples = tracker.samples_until(at(seconds(20)));
+    const double lost = 1.0 - static_cast<double>(samples.size()) /
+                                  static_cast<double>(samples.back().frame.camera_frame);
+    EXPECT_NEAR(lost, 0.05, 4.0 * std::sqrt(0.05 * 0.95 / 5000.0));
+    EXPECT_GT(samples.back().frame.header.sequence, samples.size());
+}
+
+TEST(SimulatedGaze, LostExposureIsAGapInTheCameraFrames) {
+    GazeBench tracker(with("lost_exposure", 0.05));
+    ASSERT_TRUE(tracker.order(request::start));
+    const auto samples = tracker.samples_until(at(milliseconds(999)));
+    EXPECT_LT(samples.size(), samples.back().frame.camera_frame);
+    EXPECT_EQ(samples.back().frame.header.sequence + 1, samples.size());
+}
+
+TEST(SimulatedGaze, SpoiltFramesFailTheirCrc) {
+    GazeBench tracker(with("crc_error", 0.1));
+    ASSERT_TRUE(tracker.order(request::set_rate, 250));
+    ASSERT_TRUE(tracker.order(request::start));
+    const auto samples = tracker.samples_until(at(seconds(10)));
+    EXPECT_NEAR(tracker.broken, 250, 60);
+    EXPECT_NEAR(static_cast<double>(samples.size()), 2250.0, 60.0);
+}
+
+TEST(SimulatedGaze, DuplicatesAreTheSameBytesTwice) {
+    GazeBench tracker(with("duplicate", 0.1));
+    ASSERT_TRUE(tracker.order(request::start));
+    const auto packets = tracker.packets_until(at(seconds(10)));
+    int twice = 0;
+    for (std::size_t i = 1; i < packets.size(); ++i)
+        twice += packets[i].bytes == packets[i - 1].bytes ? 1 : 0;
+    EXPECT_NEAR(twice, 60, 30);
+}
+
+TEST(SimulatedGaze, LatencyJitterSpreadsTheQueueingOnly) {
+    GazeBench tracker(with("latency_jitter", 1.5));
+    ASSERT_TRUE(tracker.order(request::set_rate, 250));
+    ASSERT_TRUE(tracker.order(request::start));
+    double sum = 0, square = 0;
+    const auto samples = tracker.samples_until(at(seconds(10)));
+    HostTime before{};
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const auto& frame = samples[i].frame;
+        const double latency_ms =
+            1e-6 * static_cast<double>(frame.header.queued_ns - frame.exposure_ns);
+        sum += latency_ms;
+        square += latency_ms * latency_ms;
+        EXPECT_GE(samples[i].at, before);
+        EXPECT_LE(latency_ms, 31.0);
+        before = samples[i].at;
+        ASSERT_EQ(frame.exposure_ns, 1'000'000'000'000u + 4'000'000u * (i + 1));
+    }
+    const double n = static_cast<double>(samples.size()), mean = sum / n;
+    EXPECT_NEAR(mean, 12.1, 0.2);
+    EXPECT_NEAR(std::sqrt(square / n - mean * mean), 1.5, 0.15);
+}
+
+TEST(SimulatedGaze, TheClockJumpsOnceAndSaysSo) {
+    GazeBench tracker(with("time_jump", 500.0));
+    ASSERT_TRUE(tracker.order(request::start));
+    int resets = 0;
+    std::uint64_t before = 0;
+    for (const auto& [arrival, frame] : tracker.samples_until(at(seconds(10)))) {
+        resets += (frame.header.flags & gaze::frame_flag::clock_reset) != 0 ? 1 : 0;
+        if (before != 0 && frame.exposure_ns - before > 100'000'000u) {
+            EXPECT_NEAR(static_cast<double>(frame.exposure_ns - before), 5e8 + 1e9 / 60.0, 10.0);
+        }
+        before = frame.exposure_ns;
+    }
+    EXPECT_LE(resets, 1);  // the flag may fall to a heartbeat
+    EXPECT_NEAR(static_cast<double>(before), 1e12 + 1e10 - 0.016e9 + 0.5e9, 0.03e9);
+}
+
+TEST(SimulatedGaze, ClockDriftSpeedsCamerasAndStamps) {
+    GazeBench tracker(with("clock_drift", 1000.0));
+    ASSERT_TRUE(tracker.order(request::start));
+    const auto samples = tracker.samples_until(at(milliseconds(10015)));
+    EXPECT_EQ(samples.size(), 600u);
+    // On its own clock the tracker exposes at exactly 60 Hz.
+    EXPECT_NEAR(static_cast<double>(samples[599].frame.exposure_ns), 1e12 + 1e10, 100.0);
+    EXPECT_NEAR(to_ms(samples[599].at.time_since_epoch()), 1e4 / 1.001 + 13.0, 1e-3);
+}
+
+TEST(SimulatedGaze, TakesOrdersForFaults) {
+    GazeBench tracker;
+    ASSERT_TRUE(tracker.order(request::start));
+    (void)tracker.samples_until(at(seconds(1)));
+    const auto send = [&](gaze::FaultKind kind, std::uint16_t count, std::uint32_t ms) {
+        return tracker.order(
+            request::sim_fault, 0,
+            gaze::SimFault{.kind = kind, .count = count, .duration_ms = ms}.encode());
+    };
+    ASSERT_TRUE(send(gaze::FaultKind::drop_frame, 3, 0));
+    ASSERT_TRUE(send(gaze::FaultKind::crc_error, 5, 0));
+    const auto after = tracker.samples_until(at(milliseconds(1990)));
+    EXPECT_EQ(tracker.broken, 2);  // three of the five were dropped before
+    EXPECT_NEAR(static_cast<double>(after.size()), 60.0 - 5.0, 1.0);
+    ASSERT_TRUE(send(gaze::FaultKind::eye_lost, 0, 200));
+    int invalid = 0;
+    for (const auto& arrived : tracker.samples_until(at(milliseconds(2900)))) {
+        invalid += (arrived.frame.status & 1) == 0 ? 1 : 0;
+    }
+    EXPECT_EQ(invalid, 12);
+    EXPECT_FALSE(send(gaze::FaultKind::stall, 1, 0));
+}
+
+TEST(SimulatedGaze, UnpluggedIsAFault) {
+    auto settings = with("unplug_at", 1.0);
+    settings.faults.unplug_for = 1.0;
+    GazeBench tracker(settings);
+    ASSERT_TRUE(tracker.order(request::start));
+    EXPECT_GT(tracker.packets_until(at(milliseconds(1500))).size(), 50u);
+    tracker.clock.sleep_until(at(milliseconds(1500)));
+    EXPECT_TRUE(std::holds_alternative<Fault>(tracker.device.next(at(milliseconds(1500)))));
+    EXPECT_EQ(tracker.order(request::start).error().code, ErrorCode::closed);
+    tracker.clock.sleep_until(at(milliseconds(2100)));
+    EXPECT_TRUE(tracker.order(request::start));  // plugged in again, idle
+}
+
+TEST(SimulatedGaze, SameSeedGivesTheSameBytes) {
+    auto settings = with("noise", 0.12, 3);
+    settings.faults.blink = 30.0;
+    settings.faults.latency_jitter = 1.5;
+    GazeBench a(settings), b(settings);
+    settings.seed = 4;
+    GazeBench c(settings);
+    for (GazeBench* t : {&a, &b, &c}) ASSERT_TRUE(t->order(request::start));
+    const auto pa = a.packets_until(at(seconds(5)));
+    std::vector<Packet> pb;
+    for (int ms = 7; ms < 5007; ms += 7) {
+        for (auto& p : b.packets_until(at(milliseconds(std::min(ms, 5000))))) pb.push_back(p);
+    }
+    const auto pc = c.packets_until(at(seconds(5)));
+    ASSERT_EQ(pa.size(), pb.size());
+    for (std::size_t i = 0; i < pa.size(); ++i) {
+        ASSERT_EQ(pa[i].arrival, pb[i].arrival);
+        ASSERT_EQ(pa[i].bytes, pb[i].bytes);
+    }
+    EXPECT_NE(pa[9].bytes, pc[9].bytes);
+}
+
+}  // namespace
+}  // namespace foverig
