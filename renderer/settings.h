@@ -28,9 +28,9 @@ struct LightingSettings {
 struct ReprojectionSettings {
     int support_width_px = 0;     ///< 0: 256 at 1182 wide, scaled with the eye's width
     int support_height_px = 0;    ///< 0: 318 at 1464 high
-    double epsilon_depth = 0.10;  ///< depth step to a neighbour, as a share of the depth: resample
+    double epsilon_depth = 0.30;  ///< depth step to a neighbour, as a share of the depth: resample
     double epsilon_lum = 0.25;    ///< luminance step to a neighbour, of full scale: resample
-    double epsilon_grazing = 0.10;  ///< cosine of normal and view below which to resample
+    double epsilon_grazing = 0.10;  ///< cosine of mesh normal and view below which to resample
     double epsilon_cache =
         0.05;             ///< depth difference of cache and sample, share of depth: drop the cache
     double k_min = 0.10;  ///< weight of a new sample when the old one is one frame old

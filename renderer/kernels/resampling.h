@@ -14,7 +14,7 @@ namespace foverig {
 struct CoarseView {
     float* inverse_depth = nullptr;
     float* luminance = nullptr;  ///< square root of luminance clamped to 1: near perceptual steps
-    float* facing = nullptr;     ///< cosine of geometric normal and direction to the eye
+    float* facing = nullptr;     ///< of the mesh there (see MeasureFacing)
     std::uint8_t* marked = nullptr;
     int columns = 0;
     int rows = 0;
@@ -28,12 +28,11 @@ struct ResolveCoarse {
     const Half4* from_colour;
     int width_px;
     int height_px;
-    SupportImages support;  ///< of the last frame
+    const float* cell_facing;
+    int cell_columns;  ///< of the mesh's vertices
+    int cell_rows;
     float columns_per_px;
     float rows_per_px;
-    EyeRays eye;  ///< of the new frame
-    float eye_px_per_column;
-    float eye_px_per_row;
     int x0;
     int y0;
     int tile_width;
@@ -58,21 +57,19 @@ struct ResolveCoarse {
                 from_colour[static_cast<int>(source_y) * width_px + static_cast<int>(source_x)]);
             coarse.luminance[target] =
                 sqrtf(min_of(0.2126F * colour.x + 0.7152F * colour.y + 0.0722F * colour.z, 1.0F));
-            const int column = static_cast<int>(source_x * columns_per_px + 0.5F);
-            const int row = static_cast<int>(source_y * rows_per_px + 0.5F);
-            const vec3 normal = vec3(unpack_half4(support.normal[row * support.columns + column]));
-            const vec3 view = eye.direction((static_cast<float>(x0 + x) + 0.5F) * eye_px_per_column,
-                                            (static_cast<float>(y0 + y) + 0.5F) * eye_px_per_row);
-            const bool hit = glm::dot(normal, normal) > 0.25F;
+            const int column = static_cast<int>(source_x * columns_per_px);
+            const int row = static_cast<int>(source_y * rows_per_px);
             coarse.facing[target] =
-                hit ? -glm::dot(normal, view) / sqrtf(glm::dot(view, view)) : 1.0F;
+                cell_facing[(row < cell_rows - 2 ? row : cell_rows - 2) * cell_columns +
+                            (column < cell_columns - 2 ? column : cell_columns - 2)];
         }
     }
 };
 
 /// One row of the coarse view: marks depth steps, luminance steps and grazing surfaces. The paper's
 /// edge_t = max{n.d, 0} < epsilon marks everything if d is the camera's viewing direction and n
-/// faces it; d here points to the eye, so that edge_t is the cosine its text describes.
+/// faces it; d here points to the eye, so that edge_t is the cosine its text describes. n is the
+/// reconstructed mesh's normal: the text is after "wrongly closed geometry".
 struct MarkResampling {
     CoarseView coarse;
     float epsilon_depth;  ///< share of the nearer depth

@@ -47,13 +47,11 @@ struct StoreSamples {
         vec3 base = background;
         vec3 diffuse{0.0F};
         vec4 light{0.0F, 0.0F, 0.0F, 1.0F};
-        vec3 normal{0.0F};
         float depth = kFarDepth_m;
         if (slot != 0xFFFFFFFFU) {
             const int s = static_cast<int>(slot);
             colour = base = surfaces.get3(Row::colour_r, s);
             depth = surfaces.at(Row::depth, s);
-            normal = surfaces.get3(Row::normal_x, s);
             if constexpr (kLightBuffer) {
                 diffuse = surfaces.get3(Row::diffuse_r, s);
                 light = vec4(surfaces.get3(Row::irradiance_r, s), surfaces.at(Row::occlusion, s));
@@ -70,7 +68,6 @@ struct StoreSamples {
         if ((samples.flags[i] & kSupportSample) != 0) {
             const int at = support_row[pixel_y(p)] * support.columns + support_column[pixel_x(p)];
             support.colour[at] = pack_half4(vec4(colour, 0.0F));
-            support.normal[at] = pack_half4(vec4(normal, 0.0F));
             support.depth_m[at] = depth;
             if constexpr (kLightBuffer) support.light[at] = pack_half4(light);
         }

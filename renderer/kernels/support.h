@@ -11,7 +11,6 @@ namespace foverig {
 struct SupportImages {
     Half4* colour = nullptr;
     Half4* light = nullptr;    ///< null without a light buffer
-    Half4* normal = nullptr;   ///< world, on the viewer's side; 0 where nothing was hit
     float* depth_m = nullptr;  ///< along the view axis
     int columns = 0;
     int rows = 0;

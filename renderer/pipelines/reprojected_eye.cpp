@@ -66,13 +66,13 @@ ReprojectedEye::ReprojectedEye(EffectMemory& effect_memory, const EffectPlan& pl
     vertex_x_px = {memory, vertices};
     vertex_y_px = {memory, vertices};
     vertex_inverse_depth = {memory, vertices};
+    cell_facing = {memory, cells};
     for (std::size_t g = 0; g < 2; ++g) {
         colour_[g] = {g == 0 ? effect_memory.base() : memory, pixels};  // any pipeline has one
         info_[g] = {memory, pixels};
         light_[g] = {light_memory, light ? pixels : 0};
         support_colour_[g] = {memory, cells};
         support_light_[g] = {light_memory, light ? cells : 0};
-        support_normal_[g] = {memory, cells};
         support_depth_m_[g] = {memory, cells};
     }
     const auto block_count = static_cast<std::size_t>((coarse_grid.width_px - 1 + kBlockCells - 1) /
@@ -97,8 +97,8 @@ HistoryImages ReprojectedEye::history(int generation) {
 
 SupportImages ReprojectedEye::support_images(int generation) {
     const auto g = static_cast<std::size_t>(generation);
-    return {support_colour_[g].data(),  support_light_[g].data(), support_normal_[g].data(),
-            support_depth_m_[g].data(), coarse_grid.width_px,     coarse_grid.height_px};
+    return {support_colour_[g].data(), support_light_[g].data(), support_depth_m_[g].data(),
+            coarse_grid.width_px, coarse_grid.height_px};
 }
 
 DepthMesh ReprojectedEye::mesh() const {

@@ -50,6 +50,7 @@ class ReprojectedEye {
     Buffer<float> vertex_x_px;
     Buffer<float> vertex_y_px;
     Buffer<float> vertex_inverse_depth;
+    Buffer<float> cell_facing;  ///< see MeasureFacing
     Buffer<int> sample_counts;  ///< by tile
 
   private:
@@ -62,7 +63,6 @@ class ReprojectedEye {
     std::array<Buffer<Half4>, 2> light_;
     std::array<Buffer<Half4>, 2> support_colour_;
     std::array<Buffer<Half4>, 2> support_light_;
-    std::array<Buffer<Half4>, 2> support_normal_;
     std::array<Buffer<float>, 2> support_depth_m_;
     Buffer<std::uint8_t> block_boxes_;
     Buffer<float> coarse_values_;

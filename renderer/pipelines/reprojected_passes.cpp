@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "renderer/kernels/cache_update.h"
+#include "renderer/kernels/mesh_facing.h"
 #include "renderer/kernels/post_process.h"
 #include "renderer/pipelines/reprojected.h"
 
@@ -25,6 +26,17 @@ void ReprojectedRenderer::reproject_mesh(ReprojectedEye& eye) {
                              static_cast<float>(eye.grid.width_px),
                              static_cast<float>(eye.grid.height_px)};
     core_.backend().launch("reproject_vertices", eye.coarse_grid.height_px - 1, bounds, 32);
+    const EyeView& last = eye.last_view;
+    const MeasureFacing facing{
+        eye.last_support().depth_m,
+        eye.source_x_px.data(),
+        eye.source_y_px.data(),
+        {(last.tan_left + last.tan_right) / static_cast<float>(last.width_px),
+         (last.tan_up + last.tan_down) / static_cast<float>(last.height_px)},
+        {-last.tan_left, -last.tan_up},
+        eye.coarse_grid.width_px,
+        eye.cell_facing.data()};
+    core_.backend().launch("measure_facing", eye.coarse_grid.height_px - 1, facing, 32);
 }
 
 void ReprojectedRenderer::raster_tile(ReprojectedEye& eye, Scratch& scratch,
@@ -57,11 +69,12 @@ void ReprojectedRenderer::find_resampling(ReprojectedEye& eye) {
             full_tile(static_cast<float>(rect.y0), scale_y, eye.grid.rows()),
             full_tile(static_cast<float>(rect.y0 + rect.height), scale_y, eye.grid.rows())};
         lane.launch("reproject_coarse", 1, [&](int) { raster_tile(eye, scratch, frame, range); });
-        lane.launch("reproject_coarse", rect.height,
-                    ResolveCoarse{scratch.raster(), eye.coarse(), eye.last().colour,
-                                  eye.grid.width_px, eye.grid.height_px, eye.last_support(),
-                                  lookup.columns_per_px, lookup.rows_per_px, EyeRays(eye.view),
-                                  1.0F / scale_x, 1.0F / scale_y, rect.x0, rect.y0, rect.width});
+        lane.launch(
+            "reproject_coarse", rect.height,
+            ResolveCoarse{scratch.raster(), eye.coarse(), eye.last().colour, eye.grid.width_px,
+                          eye.grid.height_px, eye.cell_facing.data(), eye.coarse_grid.width_px,
+                          eye.coarse_grid.height_px, lookup.columns_per_px, lookup.rows_per_px,
+                          rect.x0, rect.y0, rect.width});
     });
     const ReprojectionSettings& s = core_.settings().reprojection;
     core_.backend().launch(

@@ -91,7 +91,7 @@ TEST(MarkResampling, ALuminanceStepMarks) {
 TEST(MarkResampling, AGrazingSurfaceMarksItselfAlone) {
     Coarse c;
     c.facing[Coarse::at(3, 4)] = 0.09F;
-    c.facing[Coarse::at(8, 8)] = -0.5F;  // an interpolated normal turned away
+    c.facing[Coarse::at(8, 8)] = 0.0F;
     c.facing[Coarse::at(15, 15)] = 0.11F;
     c.mark();
     EXPECT_EQ(c.count(), 2);
@@ -117,28 +117,33 @@ TEST(MarkResampling, TheImagesOwnBorderIsNoStep) {
     EXPECT_EQ(c.count(), 0);
 }
 
-/// The resolve of one row against a one-coloured last frame and support normals that all point
-/// along `normal`.
-float resolved_facing(const vec3& normal, float* luminance = nullptr) {
-    const EyeView view{100, 100};
+/// The resolve of one row against a one-coloured last frame; the mesh cell there has `facing`.
+float resolved_facing(float facing, float* luminance = nullptr) {
     RasterArrays raster;
     const std::size_t at = RasterArrays::index(3, 5);
     raster.inverse_depth[at] = 0.25F;
     raster.source_x_w[at] = 35.0F * 0.25F;
-    raster.source_y_w[at] = 55.0F * 0.25F;
+    raster.source_y_w[at] = 59.0F * 0.25F;
     std::vector<Half4> colour(100 * 100);
-    colour[55 * 100 + 35] = pack_half4({0.0F, 0.25F, 0.0F, 0.0F});
-    std::vector<Half4> normals(10 * 10, pack_half4(vec4(normal, 0.0F)));
-    SupportImages support;
-    support.normal = normals.data();
-    support.columns = 10;
-    support.rows = 10;
+    colour[59 * 100 + 35] = pack_half4({0.0F, 0.25F, 0.0F, 0.0F});
+    std::vector<float> cell_facing(10 * 10, 1.0F);
+    cell_facing[53] = facing;  // between vertices 3 and 4, 5 and 6: pixels 33 to 44, 55 to 66
     Coarse c;
     const CoarseView coarse{
         c.inverse_depth.data(), c.luminance.data(), c.facing.data(), c.marked.data(), 10, 10};
-    const ResolveCoarse kernel{
-        raster.tile(), coarse,        colour.data(), 100,   100, support, 9.0F / 99.0F,
-        9.0F / 99.0F,  EyeRays(view), 10.0F,         10.0F, 0,   0,       10};
+    const ResolveCoarse kernel{raster.tile(),
+                               coarse,
+                               colour.data(),
+                               100,
+                               100,
+                               cell_facing.data(),
+                               10,
+                               10,
+                               9.0F / 99.0F,
+                               9.0F / 99.0F,
+                               0,
+                               0,
+                               10};
     kernel(5);
     if (luminance != nullptr) *luminance = c.luminance[53];
     EXPECT_EQ(c.inverse_depth[53], 0.25F);
@@ -146,18 +151,13 @@ float resolved_facing(const vec3& normal, float* luminance = nullptr) {
     return c.facing[53];
 }
 
-TEST(ResolveCoarse, FacingIsTheCosineBetweenNormalAndDirectionToTheEye) {
-    // The coarse pixel's middle is image (35, 55) of 100 x 100 at tangents -1..1: direction (-0.3,
-    // -0.1, -1).
-    const dvec3 to_eye = glm::normalize(dvec3(0.3, 0.1, 1.0));
-    EXPECT_NEAR(resolved_facing({0.0F, 0.0F, 1.0F}), to_eye.z, 1.0e-3);
-    EXPECT_NEAR(resolved_facing({0.0F, 1.0F, 0.0F}), to_eye.y, 1.0e-3);
-    EXPECT_NEAR(resolved_facing({0.0F, 0.0F, 0.0F}), 1.0, 1.0e-6);  // sky faces everything
+TEST(ResolveCoarse, FacingIsThatOfTheMeshCellDrawnThere) {
+    EXPECT_EQ(resolved_facing(0.07F), 0.07F);
 }
 
 TEST(ResolveCoarse, LuminanceIsTheRootOfTheLastFramesThere) {
     float luminance = 0.0F;
-    resolved_facing({0.0F, 0.0F, 1.0F}, &luminance);
+    resolved_facing(1.0F, &luminance);
     EXPECT_NEAR(luminance, std::sqrt(0.7152 * 0.25), 1.0e-3);
 }
 
