@@ -119,7 +119,9 @@ inline Verdict compare(const SceneView& scene, const Ray& ray, const Hit& embree
         if (ours.missed() || ulps_between(embree.t, ours.t) <= 4) return Verdict::same;
         const ExactHit exact(scene, ray, ours.triangle);
         const double apart = std::abs(double{embree.t} - double{ours.t});
-        return apart <= rounding_t(exact) ? Verdict::same : Verdict::wrong;
+        if (apart <= rounding_t(exact)) return Verdict::same;
+        return std::abs(double{ours.t} - exact.t) <= rounding_t(exact) ? Verdict::peer
+                                                                       : Verdict::wrong;
     }
     if (!embree.missed() && !ours.missed() && ulps_between(embree.t, ours.t) <= 4)
         return Verdict::tie;

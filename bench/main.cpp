@@ -58,6 +58,7 @@ int run(int argc, char** argv) {
     register_large_scenes(bench);
     register_tracer(bench);
     register_recorder(bench);
+    register_metrics(bench);
     register_kernels();
     register_devices();
     add_context(o);

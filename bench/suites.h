@@ -24,6 +24,7 @@ void register_reprojection_error(Bench& bench);
 void register_large_scenes(Bench& bench);
 void register_tracer(Bench& bench);
 void register_recorder(Bench& bench);
+void register_metrics(Bench& bench);
 void register_kernels();
 void register_devices();
 

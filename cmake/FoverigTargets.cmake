@@ -26,5 +26,18 @@ function(foverig_test folder)
   # Tests are compiled once and run once: most of their time is the compiler's.
   target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_link_libraries(test_${name} PRIVATE ${ARGN} GTest::gmock GTest::gtest_main foverig_warnings)
-  gtest_discover_tests(test_${name} TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(test_${name} TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60 ${test_properties})
+endfunction()
+
+# foverig_mock_test(FOLDER deps...): the same with umockdev in the kernel's place. Where it cannot be preloaded one test
+# says that it is skipped, and why.
+function(foverig_mock_test folder)
+  if(umockdev_FOUND AND NOT CMAKE_CXX_FLAGS MATCHES "fsanitize")
+    set(test_properties PROPERTIES ENVIRONMENT LD_PRELOAD=libumockdev-preload.so.0)
+    foverig_test(${folder} PkgConfig::umockdev ${ARGN})
+    return()
+  endif()
+  add_test(NAME ${folder}
+    COMMAND ${CMAKE_COMMAND} -E echo "skipped: no libumockdev-dev, or a sanitizer that must be loaded first")
+  set_tests_properties(${folder} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped")
 endfunction()

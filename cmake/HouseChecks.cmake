@@ -19,7 +19,7 @@ endfunction()
 # do that with the header of their own name; every other header becomes a source of one line here.
 function(foverig_header_test)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}
-    renderer/*.h devices/*.h simulators/*.h rig/*.h bench/*.h)
+    renderer/*.h metrics/*.h devices/*.h simulators/*.h rig/*.h bench/*.h)
   set(alone)
   foreach(header IN LISTS headers)
     string(REGEX REPLACE "\\.h$" ".cpp" source ${header})

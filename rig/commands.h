@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rig/diff_metrics.h"
 #include "rig/failure.h"
 #include "rig/records/fail_if.h"
 #include "rig/scenario/scenario.h"
@@ -42,6 +43,14 @@ ExitCode plan_command(const PlanRequest& request);
 
 /// Makes report.html of each run folder again, from its records alone.
 ExitCode report_command(const std::vector<std::filesystem::path>& runs);
+
+struct DiffRequest {
+    std::filesystem::path reference, test;  ///< two images, or two folders of frames
+    DiffSettings settings;
+    std::optional<std::filesystem::path> heatmap;  ///< PNG to write
+    bool json = false;                             ///< last line of stdout: all of it
+};
+ExitCode diff_command(const DiffRequest& request);
 
 ExitCode scenes_command();
 ExitCode devices_command();

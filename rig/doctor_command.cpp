@@ -6,7 +6,9 @@
 #include "devices/time.h"
 #include "renderer/backends/embree/embree_api.h"
 #include "rig/commands.h"
+#include "rig/doctor_devices.h"
 #include "rig/identity/build_info.h"
+#include "rig/identity/gpu_info.h"
 #include "rig/identity/host_info.h"
 
 namespace foverig {
@@ -61,9 +63,8 @@ ExitCode doctor_command() {
                                        ? "good for the wall clock"
                                        : "on the wall clock frames will begin late; use "
                                          "--clock lockstep, or leave the machine alone"));
-    print_row("gpu", "not looked for: the CUDA backend is not in this build");
-    print_row("headset", "not looked for: this build has simulated devices only");
-    print_row("gaze tracker", "not looked for: this build has simulated devices only");
+    print_row("gpu", gpu_text(find_gpus()));
+    for (const DoctorRow& row : examine_devices()) print_row(row.name, row.text);
     print_row("try", "foverig run");
     return ExitCode::good;
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "devices/hardware/found_device.h"
 #include "renderer/scene/library.h"
 #include "rig/commands.h"
 #include "simulators/faults/faults.h"
@@ -10,6 +11,14 @@ namespace {
 
 void print_row(std::string_view name, std::string_view text) {
     fmt::print("  {:<24} {}\n", name, text);
+}
+
+void print_found(const char* name, const std::vector<hardware::FoundDevice>& found) {
+    if (found.empty()) print_row(name, "none plugged in");
+    for (const hardware::FoundDevice& device : found) {
+        print_row(name, device.problem ? device.problem->text
+                                       : fmt::format("serial {}, {}", device.serial, device.path));
+    }
 }
 
 }  // namespace
@@ -24,7 +33,10 @@ ExitCode scenes_command() {
 }
 
 ExitCode devices_command() {
-    fmt::print("Simulated devices (--devices sim); they speak the bytes of the real ones:\n");
+    fmt::print("Devices on the desk (--devices hardware --clock wall):\n");
+    print_found("dk2", hardware::find_headsets());
+    print_found("gaze", hardware::find_gaze_trackers(hardware::kGazeTracker));
+    fmt::print("\nSimulated devices (--devices sim); they speak the bytes of the real ones:\n");
     print_row("dk2", "Oculus Rift DK2: inertial sensor at 1 kHz, 75 Hz panel with pixel read-back");
     print_row("gaze", "binocular gaze tracker, 60 Hz");
     print_row("virtual", "the DK2's panel: VSync, rolling scan-out, persistence");
@@ -38,8 +50,7 @@ ExitCode devices_command() {
                   fmt::format("{} ({}; typical {})", fault.meaning, fault.unit, fault.typical));
     }
     fmt::print(
-        "\nA recording of devices is one too (--devices replay:FILE, foverig replay FILE).\n"
-        "Real devices come with a later version.\n");
+        "\nA recording of devices is one too (--devices replay:FILE, foverig replay FILE).\n");
     return ExitCode::good;
 }
 

@@ -7,6 +7,7 @@
 #include "renderer/check.h"
 #include "renderer/scene/error.h"
 #include "rig/commands.h"
+#include "rig/diff_options.h"
 #include "rig/identity/build_info.h"
 #include "rig/scenario/write.h"
 #include "rig/scenario_options.h"
@@ -187,6 +188,7 @@ ExitCode dispatch(int argc, const char* const* argv) {
     ReplayOptions replay_options;
     RecoverOptions recover_options;
     PlanOptions plan_options;
+    DiffOptions diff_options;
     std::vector<std::string> reports;
     add_run(app, run_options);
     add_record(app, record_options);
@@ -194,6 +196,7 @@ ExitCode dispatch(int argc, const char* const* argv) {
     add_recover(app, recover_options);
     add_plan(app, plan_options);
     add_report(app, reports);
+    diff_options.add_to(app);
     app.add_subcommand("scenes", "what there is to look at");
     app.add_subcommand("devices", "simulated devices, motions and faults");
     app.add_subcommand("doctor", "what works on this machine, and what to do");
@@ -218,6 +221,7 @@ ExitCode dispatch(int argc, const char* const* argv) {
                              .json = plan_options.json});
     }
     if (app.got_subcommand("report")) return report_command({reports.begin(), reports.end()});
+    if (app.got_subcommand("diff")) return diff_command(diff_options.request());
     if (app.got_subcommand("scenes")) return scenes_command();
     if (app.got_subcommand("devices")) return devices_command();
     if (app.got_subcommand("doctor")) return doctor_command();

@@ -52,6 +52,14 @@ std::string summary_text(const json& s) {
                             recording["dropped"].get<std::uint64_t>(),
                             recording["bytes"].get<double>() * 1e-6);
     }
+    const json devices = s.value("devices", json::object());
+    for (const auto& [name, device] : devices.items()) {
+        const json reconnects = device.value("reconnects", json());
+        if (!reconnects.is_number() || reconnects.get<std::uint64_t>() == 0) continue;
+        text += fmt::format(
+            "unplugged         {}: came back {} times; its last sample stood meanwhile\n", name,
+            reconnects.get<std::uint64_t>());
+    }
     for (const json& image : s.value("images", json::array())) {
         if (!image.contains("mean_absolute_error")) continue;
         text += fmt::format("error to full     {:.2f} % of full scale (frame {}, {} eye)\n",

@@ -8,6 +8,7 @@ namespace foverig::dk2 {
 namespace {
 
 constexpr std::size_t kKeptReadbacks = 64;
+constexpr Nanoseconds kSetUpPause{250'000'000};  // between two tries with a headset that came back
 constexpr Nanoseconds kCorrectionPause{100'000'000};  // reports in flight still have the old format
 
 template <class Report>
@@ -41,7 +42,12 @@ Result<Dk2ImuSource> Dk2ImuSource::open(Transport& transport, HostTime now,
     if (!factory) return factory.error();
     Dk2ImuSource source(transport, now, FactoryCalibration::from(*factory), config);
 
-    auto device_config = get<ConfigReport>(transport);
+    if (auto status = source.set_up(); !status) return status.error();
+    return source;
+}
+
+Status Dk2ImuSource::set_up() {
+    const auto device_config = get<ConfigReport>(*transport_);
     if (!device_config) return device_config.error();
     ConfigReport wanted = *device_config;
     // LibOVR's choice for the DK2: raw values from the device, the matrix applied here in double.
@@ -49,18 +55,26 @@ Result<Dk2ImuSource> Dk2ImuSource::open(Transport& transport, HostTime now,
     wanted.raw = false;
     wanted.sensor_coordinates = false;
     wanted.command_keep_alive = true;
-    wanted.interval = config.interval;
-    if (auto status = set(transport, wanted, source.command_id_); !status) return status.error();
+    wanted.interval = config_.interval;
+    if (auto status = set(*transport_, wanted, command_id_); !status) return status;
 
-    auto display = get<DisplayReport>(transport);
+    const auto display = get<DisplayReport>(*transport_);
     if (!display) return display.error();
     DisplayReport panel = *display;
-    panel.read_pixel = config.read_pixel;
-    if (auto status = set(transport, panel, source.command_id_); !status) return status.error();
+    panel.read_pixel = config_.read_pixel;
+    if (auto status = set(*transport_, panel, command_id_); !status) return status;
 
-    const KeepAliveMuxReport awake{.timeout_ms = config.keep_alive_timeout_ms};
-    if (auto status = set(transport, awake, source.command_id_); !status) return status.error();
-    return source;
+    return set(*transport_, KeepAliveMuxReport{.timeout_ms = config_.keep_alive_timeout_ms},
+               command_id_);
+}
+
+/// A headset that comes back has forgotten what it was told.
+void Dk2ImuSource::set_up_again(HostTime now) {
+    if (!was_gone_ || now < next_set_up_) return;
+    was_gone_ = !set_up();
+    if (!was_gone_) return;
+    ++control_failures_;
+    next_set_up_ = now + kSetUpPause;
 }
 
 Next<ImuSample> Dk2ImuSource::next(HostTime deadline) {
@@ -68,12 +82,14 @@ Next<ImuSample> Dk2ImuSource::next(HostTime deadline) {
         const HostTime until = std::min(deadline, next_keep_alive_);
         NextPacket got = transport_->next(until);
         if (const auto* packet = std::get_if<Packet>(&got)) {
+            set_up_again(packet->arrival);
             if (packet->arrival >= next_keep_alive_) keep_alive(packet->arrival);
             take(*packet);
         } else if (std::holds_alternative<Timeout>(got)) {
             if (until >= next_keep_alive_) keep_alive(until);
             if (until >= deadline) return Timeout{};
         } else if (auto* fault = std::get_if<Fault>(&got)) {
+            was_gone_ = true;
             return std::move(*fault);
         } else {
             return EndOfStream{};

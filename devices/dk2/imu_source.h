@@ -1,6 +1,7 @@
 #pragma once
 // The DK2 over a transport: Source<ImuSample>. Sets the device up, keeps it awake from the reader
-// (DEVICES.md 1.6) and corrects a switch to report 1. One thread uses it; it has none of its own.
+// (DEVICES.md 1.6), corrects a switch to report 1, and sets a headset up again that was unplugged.
+// One thread uses it; it has none of its own.
 #include <deque>
 #include <vector>
 
@@ -44,6 +45,8 @@ class Dk2ImuSource {
     Dk2ImuSource(Transport& transport, HostTime now, const FactoryCalibration& calibration,
                  const ImuSourceConfig& config);
 
+    Status set_up();
+    void set_up_again(HostTime now);
     void take(const Packet& packet);
     void keep_alive(HostTime now);
     void note_panel(PanelReadback panel);
@@ -59,6 +62,8 @@ class Dk2ImuSource {
     std::uint16_t last_frame_count_ = 0;
     HostTime next_keep_alive_{};
     HostTime next_correction_{};
+    bool was_gone_ = false;
+    HostTime next_set_up_{};  // where it was
     std::uint16_t command_id_ = 0;
     SourceCounts counts_;
     std::uint64_t control_failures_ = 0, format_switches_ = 0;

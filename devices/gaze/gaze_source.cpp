@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kKeptEvents = 64;
 constexpr std::size_t kRoundTrips = 40;
+constexpr Nanoseconds kSetUpPause{250'000'000};  // between two tries with a tracker that came back
 constexpr std::uint64_t kLatestNs = std::uint64_t{1}
                                     << 62;  // 146 years: beyond it a stamp is noise
 
@@ -59,16 +60,33 @@ Result<GazeSource> GazeSource::open(Transport& transport, const Clock& clock,
                      fmt::format("gaze tracker has no rate of {} Hz", config.rate_hz)};
     }
     GazeSource source(transport, clock, *info, config);
-    // A tracker left streaming by someone else would refuse a new rate.
-    if (auto s = source.stop(); !s) return s.error();
-    if (auto s = transport.control_set(request::set_rate, config.rate_hz, {}); !s) return s.error();
-    if (auto s = transport.control_set(request::set_options, 0, encode_options(config.options)); !s)
-        return s.error();
-    if (auto s = transport.control_set(request::set_mapping, 0, encode_mapping(config.mapping_mm));
-        !s)
-        return s.error();
-    if (auto s = transport.control_set(request::start, 0, {}); !s) return s.error();
+    if (auto s = source.set_up(); !s) return s.error();
     return source;
+}
+
+Status GazeSource::set_up() {
+    // A tracker left streaming by someone else would refuse a new rate.
+    if (auto s = stop(); !s) return s;
+    if (auto s = transport_->control_set(request::set_rate, config_.rate_hz, {}); !s) return s;
+    if (auto s = transport_->control_set(request::set_options, 0, encode_options(config_.options));
+        !s)
+        return s;
+    if (auto s =
+            transport_->control_set(request::set_mapping, 0, encode_mapping(config_.mapping_mm));
+        !s)
+        return s;
+    return transport_->control_set(request::start, 0, {});
+}
+
+/// A tracker that comes back is idle, at its own rate.
+void GazeSource::set_up_again() {
+    if (!next_set_up_ || clock_->now() < *next_set_up_) return;
+    if (set_up()) {
+        next_set_up_.reset();
+        return;
+    }
+    ++control_failures_;
+    next_set_up_ = clock_->now() + kSetUpPause;
 }
 
 Status GazeSource::stop() {
@@ -80,10 +98,13 @@ Next<GazeSample> GazeSource::next(HostTime deadline) {
         if (clock_->now() >= next_sync_) sync_time();
         NextPacket got = transport_->next(deadline);
         if (const auto* packet = std::get_if<Packet>(&got)) {
+            set_up_again();
             take(*packet);
         } else if (std::holds_alternative<Timeout>(got)) {
+            set_up_again();
             return Timeout{};
         } else if (auto* fault = std::get_if<Fault>(&got)) {
+            if (!next_set_up_) next_set_up_ = clock_->now();
             return std::move(*fault);
         } else {
             return EndOfStream{};

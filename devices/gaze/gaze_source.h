@@ -1,6 +1,7 @@
 #pragma once
 // The gaze tracker over a transport: Source<GazeSample>. Frames are timed by the device's own
-// exposure stamps through the clock map, never by arrival. One thread uses it.
+// exposure stamps through the clock map, never by arrival. A tracker that was unplugged is set up
+// and started again as soon as it answers. One thread uses it.
 #include <deque>
 #include <optional>
 #include <vector>
@@ -49,6 +50,8 @@ class GazeSource {
     GazeSource(Transport& transport, const Clock& clock, const Info& info,
                const GazeSourceConfig& config);
 
+    Status set_up();
+    void set_up_again();
     void take(const Packet& packet);
     void take_sample(const SampleFrame& frame, HostTime arrival, bool gap);
     void follow_clock(const FrameHeader& header, HostTime arrival);
@@ -68,6 +71,7 @@ class GazeSource {
     std::optional<CalibrationFrame> last_calibration_;
     std::deque<Nanoseconds> round_trips_;
     HostTime next_sync_{};
+    std::optional<HostTime> next_set_up_;  // the tracker was gone: when to try
     std::uint16_t cookie_ = 0;
     SourceCounts counts_;
     std::uint64_t missed_exposures_ = 0, control_failures_ = 0;

@@ -17,9 +17,9 @@ RIG_INLINE vec3 checked(const vec3& c, NumericCounts& counts) {
     const float sum = c.x + c.y + c.z;
     if (sum - sum == 0.0F) return c;  // false for NaN and infinity alone
     if (sum != sum)
-        ++counts.nan;
+        count_one(counts.nan);
     else
-        ++counts.inf;
+        count_one(counts.inf);
     return vec3(0.0F);
 }
 

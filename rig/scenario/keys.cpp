@@ -1,6 +1,7 @@
 #include "rig/scenario/keys.h"
 
 #include "rig/scenario/cost.h"
+#include "rig/scenario/hardware_keys.h"
 #include "rig/scenario/key_makers.h"
 #include "rig/scenario/render_keys.h"
 #include "rig/scenario/simulation_keys.h"
@@ -18,8 +19,8 @@ std::optional<std::string> known_devices(const std::string& devices) {
 
 Key devices_key() {
     Key key = text_key(
-        "devices", "sim, replay:FILE, or hardware (which this build ends with exit code 4)",
-        "where the bytes of the devices come from: models, or a recording",
+        "devices", "sim, hardware or replay:FILE",
+        "where the bytes of the devices come from: models, what is plugged in, or a recording",
         [](auto& s) -> auto& { return s.devices; });
     key.set = [](Scenario& s, const KeyValue& v) {
         auto complaint = known_devices(std::get<std::string>(v));
@@ -153,6 +154,7 @@ std::vector<Key> make_keys() {
     add_light_keys(keys);
     add_camera_keys(keys);
     add_motion_keys(keys);
+    add_hardware_keys(keys);
     add_output_keys(keys);
     add_fault_keys(keys);
     return keys;

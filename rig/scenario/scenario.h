@@ -57,6 +57,15 @@ struct RecordingSettings {
     bool decoded = true;  ///< samples beside the bytes they came from, for plots
 };
 
+/// Of `devices = "hardware"`. head and gaze: required; auto (simulated where there is none); sim.
+struct HardwareSettings {
+    std::string head = "required";
+    std::string gaze = "required";
+    std::string head_serial;  ///< empty: the only one that is plugged in
+    std::string gaze_serial;
+    std::string gaze_usb_id = "1209:0001";
+};
+
 /// Of `devices = "replay:FILE"`.
 struct ReplaySettings {
     double speed = 1.0;  ///< of the wall clock against the recording's
@@ -69,13 +78,14 @@ struct Scenario {
     std::string scene = "atrium";
     double scene_scale = 1.0;     ///< metres per unit of the file
     double scene_detail = 1.0;    ///< triangle count of a built-in scene, relative
-    std::string devices = "sim";  ///< or replay:FILE
+    std::string devices = "sim";  ///< or hardware, or replay:FILE
     std::string clock = "lockstep";
     std::string cost = "measured";
     std::int64_t frames = 0;  ///< 0: until `seconds`; both 0: kDefaultFrames
     double seconds = 0.0;     ///< of the run's clock; 0: until `frames`
     double settle_s = 0.5;    ///< devices run this long before the first frame
     RecordingSettings recording;
+    HardwareSettings hardware;
     ReplaySettings replay;
     DisplaySettings display;
     CameraSettings camera;

@@ -1,5 +1,6 @@
 #pragma once
-// Where the session's devices come from: models (SimulatedWorld) or a recording (ReplayedWorld).
+// Where the session's devices come from: models (SimulatedWorld), the desk (HardwareWorld) or a
+// recording (ReplayedWorld).
 #include <array>
 #include <memory>
 #include <optional>
@@ -32,7 +33,8 @@ class World {
 };
 
 /// What the scenario's `devices` asks for. Throws UsageError for an unknown motion, InputError for
-/// a recording or trajectory that cannot be read. `clock` outlives the world.
+/// a recording or trajectory that cannot be read, DeviceError for a device that cannot be opened.
+/// `clock` outlives the world.
 std::unique_ptr<World> make_world(const Scenario& scenario, Clock& clock);
 
 }  // namespace foverig

@@ -38,8 +38,9 @@ void SimulatedDk2::advance(HostTime until) {
     if (until >= unplugged_at_) {
         firmware_.reset();
         unplugged_at_ = HostTime::max();
+        fault_due_ = true;
     }
-    if (until >= plugged_again_at_) {
+    if (until >= plugged_again_at_ && !fault_due_) {
         plug_in(plugged_again_at_);
         plugged_again_at_ = HostTime::max();
         firmware_->advance(until, wire_);
@@ -53,10 +54,13 @@ NextPacket SimulatedDk2::next(HostTime deadline) {
         if (auto packet = wire_.take(now)) return std::move(*packet);
         // What the host already holds still comes after the cable is out.
         const auto arrival = wire_.first_arrival();
-        if (!firmware_ && !arrival) return Fault{unplugged()};
+        if (!firmware_ && !arrival) {
+            fault_due_ = false;
+            return Fault{unplugged()};
+        }
         if (now >= deadline) return Timeout{};
         const HostTime event =
-            firmware_ ? std::min(firmware_->next_event(), unplugged_at_) : plugged_again_at_;
+            firmware_ ? std::min(firmware_->next_event(), unplugged_at_) : HostTime::max();
         clock_.sleep_until(std::min({deadline, event, arrival.value_or(HostTime::max())}));
     }
 }

@@ -24,7 +24,7 @@ class SimulatedDk2 final : public Transport {
         : SimulatedDk2(clock, head, Settings{}) {}
     SimulatedDk2(Clock& clock, const motion::HeadMotion& head, const Settings& settings);
 
-    /// While unplugged: Fault (closed).
+    /// While unplugged: Fault (closed), and once where it was unplugged and back between two calls.
     NextPacket next(HostTime deadline) override;
     Status control_set(std::uint8_t id, std::uint16_t value,
                        std::span<const std::byte> data) override;
@@ -39,6 +39,7 @@ class SimulatedDk2 final : public Transport {
     const motion::HeadMotion& head_;
     Settings settings_;
     HostTime unplugged_at_{HostTime::max()}, plugged_again_at_{HostTime::max()};
+    bool fault_due_ = false;                 // nobody was told yet that it was unplugged
     std::unique_ptr<Dk2Firmware> firmware_;  // null while unplugged
     ReportWire wire_;
 };

@@ -22,8 +22,11 @@ Status GazeFirmware::start(HostTime now) {
     if (status_.state == DeviceState::streaming) return stall("START while streaming");
     ++sessions_;
     status_.state = DeviceState::streaming;
-    status_.session =
-        static_cast<std::uint32_t>(motion::Draws(settings_.seed, kSessionStream).bits(sessions_));
+    // A device that was plugged in anew does not draw the same numbers again.
+    const auto plugged_in_ns =
+        static_cast<std::uint64_t>(settings_.plugged_in.time_since_epoch().count());
+    status_.session = static_cast<std::uint32_t>(
+        motion::Draws(settings_.seed, kSessionStream).bits(sessions_ + plugged_in_ns));
     status_.sent = 0;
     sequence_ = 0;
     exposures_ = 0;

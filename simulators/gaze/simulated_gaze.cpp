@@ -36,8 +36,9 @@ void SimulatedGaze::advance(HostTime until) {
         cut_wire(unplugged_at_);
         firmware_.reset();
         unplugged_at_ = HostTime::max();
+        fault_due_ = true;
     }
-    if (until >= plugged_again_at_) {
+    if (until >= plugged_again_at_ && !fault_due_) {
         plug_in(plugged_again_at_);
         plugged_again_at_ = HostTime::max();
     }
@@ -52,7 +53,10 @@ NextPacket SimulatedGaze::next(HostTime deadline) {
             wire_.pop_front();
             return packet;
         }
-        if (!firmware_) return Fault{unplugged()};
+        if (!firmware_) {
+            fault_due_ = false;
+            return Fault{unplugged()};
+        }
         if (now >= deadline) return Timeout{};
         HostTime event = std::min({deadline, firmware_->next_event(), unplugged_at_});
         if (!wire_.empty()) event = std::min(event, wire_.front().arrival);

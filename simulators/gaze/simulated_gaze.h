@@ -23,7 +23,7 @@ class SimulatedGaze final : public Transport {
         : SimulatedGaze(clock, eyes, Settings{}) {}
     SimulatedGaze(Clock& clock, const motion::EyeMotion& eyes, const Settings& settings);
 
-    /// While unplugged: Fault (closed).
+    /// While unplugged: Fault (closed), and once where it was unplugged and back between two calls.
     NextPacket next(HostTime deadline) override;
     Status control_set(std::uint8_t request, std::uint16_t value,
                        std::span<const std::byte> data) override;
@@ -39,6 +39,7 @@ class SimulatedGaze final : public Transport {
     const motion::EyeMotion& eyes_;
     Settings settings_;
     HostTime unplugged_at_{HostTime::max()}, plugged_again_at_{HostTime::max()};
+    bool fault_due_ = false;                // nobody was told yet that it was unplugged
     std::optional<GazeFirmware> firmware_;  // none while unplugged
     std::deque<Packet> wire_;               // in order of arrival
 };

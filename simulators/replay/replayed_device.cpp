@@ -82,7 +82,7 @@ NextPacket ReplayedDevice::next(HostTime deadline) {
                 return std::move(*packet);
             }
             unplugged_ = std::get<Fault>(what).error;
-            continue;
+            return Fault{*unplugged_};
         }
         if (damage_ && at_end_ && !ahead_) return Fault{*damage_};
         if (unplugged_) return Fault{*unplugged_};

@@ -1,0 +1,151 @@
+// foverig_gpu: what a machine with a GPU runs first. Proves that CUDA gives host-bvh's answers,
+// then measures; one JSON file a scene, written before the next scene begins.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "bench/gpu/exit_code.h"
+#include "bench/gpu/suites.h"
+#include "renderer/backends/cuda/cuda_error.h"
+#include "renderer/backends/cuda/device_info.h"
+#include "renderer/scene/error.h"
+#include "renderer/scene/library.h"
+#include "rig/identity/build_info.h"
+#include "rig/identity/host_info.h"
+
+namespace foverig::gpu {
+namespace {
+
+struct Options {
+    std::filesystem::path out = "gpu-results";
+    std::vector<std::string> scenes;
+    GpuSettings settings;
+};
+
+Json identity(const cuda::DeviceInfo& device) {
+    const BuildInfo build = build_info();
+    const HostInfo host = host_info();
+    return {
+        {"build",
+         {{"version", build.version},
+          {"git", build.git.value_or("")},
+          {"compiler", build.compiler},
+          {"flags", build.flags},
+          {"cuda_flags", FOVERIG_CUDA_FLAGS},
+          {"type", build.build_type},
+          {"fp_mode", build.fp_mode},
+          {"backend", "cuda"},
+          {"builder", "binned SAH"}}},
+        {"device",
+         {{"name", device.name},
+          {"architecture", fmt::format("sm_{}{}", device.major, device.minor)},
+          {"multiprocessors", device.multiprocessors},
+          {"memory_bytes", device.memory_bytes},
+          {"l2_bytes", device.l2_bytes},
+          {"clock_khz", device.clock_khz},
+          {"driver_cuda", device.driver},
+          {"runtime_cuda", device.runtime}}},
+        {"host",
+         {{"cpu", host.cpu.value_or("")}, {"cores", host.cores}, {"os", host.os.value_or("")}}}};
+}
+
+void write(const std::filesystem::path& file, const Json& document) {
+    std::filesystem::create_directories(file.parent_path());
+    const std::filesystem::path part = file.string() + ".part";
+    std::ofstream stream(part);
+    stream << document.dump(2) << '\n';
+    stream.close();
+    if (!stream) throw std::runtime_error(fmt::format("{}: cannot write it", part.string()));
+    std::filesystem::rename(part, file);
+}
+
+/// Whether CUDA agrees with the host on it.
+bool run_scene(const std::string& name, const Options& options, const Json& identity) {
+    const GpuScene scene(load_scene(name));
+    Json document = {{"schema", "foverig.gpu/1"},
+                     {"scene", name},
+                     {"triangles", scene.scene().triangles.size()},
+                     {"references", scene.host().bvh().view().triangles.size},
+                     {"nodes", scene.host().bvh().view().nodes.size}};
+    document.update(identity);
+    document["parity"] = parity(scene, options.settings);
+    const bool pass = document["parity"]["pass"];
+    fmt::print("{}: parity {}", name, pass ? "good" : "FAILED");
+    if (pass) {  // what answers wrongly is not timed
+        document["rates"] = ray_rates(scene, options.settings);
+        document["full"] = full_frames(scene, options.settings);
+        for (const char* kind : {"primary", "shadow", "ao16", "diffuse"})
+            if (document["rates"].contains(kind))
+                fmt::print(", {} {:.0f} Mrays/s", kind,
+                           document["rates"][kind]["mrays_s"].get<double>());
+    }
+    fmt::print("\n");
+    std::fflush(stdout);
+    write(options.out / (std::filesystem::path(name).filename().string() + ".json"), document);
+    return pass;
+}
+
+GpuExit run(Options options) {
+    const cuda::DeviceInfo device = cuda::device_info();
+    fmt::print("{}, sm_{}{}, {} multiprocessors, driver for CUDA {}\n", device.name, device.major,
+               device.minor, device.multiprocessors, device.driver);
+    const Json who = identity(device);
+    std::vector<std::string> names;
+    for (const BuiltinInfo& info : builtin_scenes()) names.push_back(info.name);
+    names.insert(names.end(), options.scenes.begin(), options.scenes.end());
+    bool pass = true;
+    for (const std::string& name : names) pass = run_scene(name, options, who) && pass;
+    fmt::print("results in {}\n", options.out.string());
+    return pass ? GpuExit::good : GpuExit::parity_failed;
+}
+
+GpuExit fail(const std::exception& error, GpuExit code) {
+    fmt::print(stderr, "foverig_gpu: {}\n", error.what());
+    return code;
+}
+
+GpuExit guarded(const Options& options) {
+    try {
+        return run(options);
+    } catch (const cuda::NoGpuError& error) {
+        return fail(error, GpuExit::no_gpu);
+    } catch (const cuda::CudaError& error) {
+        return fail(error, GpuExit::device);
+    } catch (const SceneError& error) {
+        return fail(error, GpuExit::input);
+    } catch (const std::exception& error) {
+        return fail(error, GpuExit::internal);
+    }
+}
+
+}  // namespace
+}  // namespace foverig::gpu
+
+int main(int argc, char** argv) {
+    using namespace foverig::gpu;
+    Options options;
+    CLI::App app(
+        "Parity of CUDA with host-bvh and GPU benchmarks, on the built-in scenes and on any scene "
+        "file given. Exit codes: 0 good; 1 parity failed; 2 usage; 3 a scene file; 4 CUDA; 5 "
+        "internal; 6 no GPU that it can use");
+    app.add_option("--out", options.out, "folder for the results")->capture_default_str();
+    app.add_option("scenes", options.scenes, "scene files: OBJ, glTF, GLB or PLY");
+    app.add_option("--rays", options.settings.rays, "rays of a timed batch")
+        ->check(CLI::Range(1024, 100'000'000))
+        ->capture_default_str();
+    app.add_option("--parity-rays", options.settings.parity_rays, "rays compared, of each kind")
+        ->check(CLI::Range(1024, 100'000'000))
+        ->capture_default_str();
+    app.add_option("--repetitions", options.settings.repetitions,
+                   "of each measurement; odd is best")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : static_cast<int>(GpuExit::usage);
+    }
+    return static_cast<int>(guarded(options));
+}

@@ -1,0 +1,28 @@
+# The preset gpu: the GPU programs and the libraries under them, for machines that have nvcc, CMake, Ninja and
+# little else. FOVERIG_CARRY names a folder of header-only libraries (scripts/gpu --pack) used in place of
+# installed ones; images are decoded by stb_image.
+set(FOVERIG_CARRY "" CACHE PATH "Folder with include/: glm, fmt, nlohmann, CLI, stb, tinyobj, tinygltf")
+foreach(library glm::glm fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11)
+  add_library(${library} INTERFACE IMPORTED)
+  if(FOVERIG_CARRY)
+    set_target_properties(${library} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${FOVERIG_CARRY}/include)
+  endif()
+endforeach()
+set_target_properties(fmt::fmt PROPERTIES INTERFACE_COMPILE_DEFINITIONS FMT_HEADER_ONLY)
+
+foverig_library(foverig_scene_builtin renderer/scene/builtin glm::glm fmt::fmt)
+target_compile_options(foverig_scene_builtin PRIVATE -ffp-contract=off)
+file(GLOB scene_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/renderer/scene/*.cpp)
+list(FILTER scene_sources EXCLUDE REGEX "image_(png|jpeg)\\.cpp$")
+add_library(foverig_scene STATIC ${scene_sources})
+target_include_directories(foverig_scene PUBLIC ${PROJECT_SOURCE_DIR})
+target_compile_definitions(foverig_scene PRIVATE FOVERIG_STB_ALONE)
+target_link_libraries(foverig_scene PUBLIC foverig_scene_builtin fmt::fmt nlohmann_json::nlohmann_json)
+foverig_library(foverig_effects renderer/effects foverig_scene)
+foverig_library(foverig_trace_build renderer/trace/build foverig_scene)
+foverig_library(foverig_host_bvh renderer/backends/host_bvh foverig_trace_build)
+foverig_library(foverig_identity rig/identity ${CMAKE_DL_LIBS})
+foverig_build_info(foverig_identity)
+include(DeviceCompiler)
+include(GpuPrograms)
+set_target_properties(foverig_gpu PROPERTIES EXCLUDE_FROM_ALL OFF)

@@ -1,0 +1,91 @@
+#include "devices/hardware/live_transport.h"
+
+#include <pthread.h>
+
+namespace foverig::hardware {
+namespace {
+
+constexpr int kReaderPriority =
+    10;  // of 1..99: above what is not real time, below the kernel's own
+
+/// Not allowed is not an error: `foverig doctor` says what to do about it.
+void ask_for_realtime() {
+    sched_param priority{};
+    priority.sched_priority = kReaderPriority;
+    (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
+}
+
+Error unplugged() {
+    return {ErrorCode::closed, "the device is unplugged"};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LiveTransport>> LiveTransport::open(const Clock& clock, Open open_link,
+                                                           const Settings& settings) {
+    auto link = open_link();
+    if (!link) return link.error();
+    return std::unique_ptr<LiveTransport>(
+        new LiveTransport(clock, std::move(open_link), std::move(link).value(), settings));
+}
+
+LiveTransport::LiveTransport(const Clock& clock, Open open_link, std::shared_ptr<Link> link,
+                             const Settings& settings)
+    : open_link_(std::move(open_link)),
+      settings_(settings),
+      packets_(clock),
+      link_(std::move(link)),
+      reader_([this](const std::stop_token& stop) { read_until_stopped(stop); }) {}
+
+LiveTransport::~LiveTransport() = default;
+
+std::shared_ptr<Link> LiveTransport::link() const {
+    const std::lock_guard lock(mutex_);
+    return link_;
+}
+
+void LiveTransport::set_link(std::shared_ptr<Link> link) {
+    const std::lock_guard lock(mutex_);
+    link_.swap(link);
+}
+
+void LiveTransport::read_until_stopped(const std::stop_token& stop) {
+    if (settings_.realtime) ask_for_realtime();
+    while (!stop.stop_requested()) {
+        const auto device = link();
+        if (!device) {
+            reopen(stop);
+        } else if (const Status read = device->read(packets_); !read) {
+            set_link(nullptr);
+            packets_.lost(read.error());
+        }
+    }
+}
+
+void LiveTransport::reopen(const std::stop_token& stop) {
+    auto device = open_link_();
+    if (device) {
+        set_link(std::move(device).value());
+        packets_.found();
+        return;
+    }
+    packets_.lost(device.error());
+    std::unique_lock lock(mutex_);
+    stopping_.wait_for(lock, stop, settings_.retry_period, [] { return false; });
+}
+
+Status LiveTransport::control_set(std::uint8_t id, std::uint16_t value,
+                                  std::span<const std::byte> data) {
+    const auto device = link();
+    if (!device) return unplugged();
+    return device->control_set(id, value, data);
+}
+
+Result<std::vector<std::byte>> LiveTransport::control_get(std::uint8_t id, std::uint16_t value,
+                                                          std::size_t size) {
+    const auto device = link();
+    if (!device) return unplugged();
+    return device->control_get(id, value, size);
+}
+
+}  // namespace foverig::hardware

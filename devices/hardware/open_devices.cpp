@@ -1,0 +1,53 @@
+#include "devices/hardware/open_devices.h"
+
+#include <fmt/format.h>
+
+#include "devices/hardware/hid_link.h"
+#include "devices/hardware/usb_link.h"
+
+namespace foverig::hardware {
+namespace {
+
+/// The device that is opened now is the one that is opened again.
+template <class Find, class OpenFound>
+Result<std::unique_ptr<LiveTransport>> open_chosen(const Clock& clock, const std::string& serial,
+                                                   const LiveTransport::Settings& settings,
+                                                   Find find, OpenFound open_found) {
+    const Result<FoundDevice> chosen = find(serial);
+    if (!chosen) return chosen.error();
+    const std::string same = chosen->serial;
+    return LiveTransport::open(
+        clock,
+        [find, open_found, same]() -> Result<std::unique_ptr<Link>> {
+            const Result<FoundDevice> device = find(same);
+            if (!device) return device.error();
+            return open_found(*device);
+        },
+        settings);
+}
+
+}  // namespace
+
+Result<FoundDevice> choose_headset(const std::string& serial) {
+    return choose(find_headsets(), serial, "headset",
+                  fmt::format("Rift DK2, USB {}, among the hidraw devices", text_of(kDk2)));
+}
+
+Result<FoundDevice> choose_gaze_tracker(const UsbId& id, const std::string& serial) {
+    return choose(find_gaze_trackers(id), serial, "gaze tracker",
+                  fmt::format("USB device {} that speaks SGZ1", text_of(id)));
+}
+
+Result<std::unique_ptr<LiveTransport>> open_headset(const Clock& clock, const std::string& serial,
+                                                    const LiveTransport::Settings& settings) {
+    return open_chosen(clock, serial, settings, &choose_headset, &HidLink::open);
+}
+
+Result<std::unique_ptr<LiveTransport>> open_gaze_tracker(const Clock& clock, const UsbId& id,
+                                                         const std::string& serial,
+                                                         const LiveTransport::Settings& settings) {
+    const auto find = [id](const std::string& wanted) { return choose_gaze_tracker(id, wanted); };
+    return open_chosen(clock, serial, settings, find, &UsbLink::open);
+}
+
+}  // namespace foverig::hardware

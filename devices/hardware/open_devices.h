@@ -1,0 +1,25 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "devices/hardware/found_device.h"
+#include "devices/hardware/live_transport.h"
+
+namespace foverig::hardware {
+
+/// The device to open; `serial` may be empty: the only one there is. Errors: not_found, and
+/// invalid_data where several are there.
+Result<FoundDevice> choose_headset(const std::string& serial);
+Result<FoundDevice> choose_gaze_tracker(const UsbId& id, const std::string& serial);
+
+/// A DK2 on the desk. Errors: as choosing, and forbidden, busy, io. `clock` as LiveTransport wants
+/// it.
+Result<std::unique_ptr<LiveTransport>> open_headset(const Clock& clock, const std::string& serial,
+                                                    const LiveTransport::Settings& settings = {});
+
+/// A gaze tracker that speaks SGZ1.
+Result<std::unique_ptr<LiveTransport>> open_gaze_tracker(
+    const Clock& clock, const UsbId& id, const std::string& serial,
+    const LiveTransport::Settings& settings = {});
+
+}  // namespace foverig::hardware

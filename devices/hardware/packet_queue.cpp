@@ -1,0 +1,50 @@
+#include "devices/hardware/packet_queue.h"
+
+namespace foverig::hardware {
+
+void PacketQueue::push(Bytes packet) {
+    const HostTime arrival = clock_.now();
+    const std::lock_guard lock(mutex_);
+    items_.emplace_back(Packet{arrival, to_vector(packet)});
+    if (items_.size() > kCapacity) items_.pop_front();
+    news_.notify_one();
+}
+
+void PacketQueue::lost(const Error& why) {
+    const std::lock_guard lock(mutex_);
+    if (!gone_) items_.emplace_back(Fault{why});
+    gone_ = why;
+    news_.notify_one();
+}
+
+void PacketQueue::found() {
+    const std::lock_guard lock(mutex_);
+    gone_.reset();
+}
+
+std::optional<NextPacket> PacketQueue::take(HostTime deadline) {
+    if (items_.empty()) {
+        if (gone_) return Fault{*gone_};
+        return std::nullopt;
+    }
+    if (const auto* packet = std::get_if<Packet>(&items_.front());
+        packet != nullptr && packet->arrival > deadline) {
+        return Timeout{};
+    }
+    auto item = std::move(items_.front());
+    items_.pop_front();
+    if (auto* packet = std::get_if<Packet>(&item)) return std::move(*packet);
+    return std::get<Fault>(std::move(item));
+}
+
+NextPacket PacketQueue::next(HostTime deadline) {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        if (auto taken = take(deadline)) return std::move(*taken);
+        const HostTime now = clock_.now();
+        if (now >= deadline) return Timeout{};
+        news_.wait_for(lock, deadline - now);
+    }
+}
+
+}  // namespace foverig::hardware

@@ -1,0 +1,42 @@
+#pragma once
+// Between the thread that reads a device and the one that asks for packets.
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+
+#include "devices/bytes.h"
+#include "devices/transport.h"
+
+namespace foverig::hardware {
+
+/// Packets in order of arrival, and whether the device is there. Safe for one reader thread and one
+/// that asks.
+class PacketQueue {
+  public:
+    /// 16 s of a DK2. Beyond it the oldest packet goes, which the source then counts as lost.
+    static constexpr std::size_t kCapacity = 16384;
+
+    /// `clock` runs in real time, may be read by any thread, and outlives the queue.
+    explicit PacketQueue(const Clock& clock) : clock_(clock) {}
+
+    /// Came just now.
+    void push(Bytes packet);
+    /// The device is gone: each loss gives at least one Fault, behind the packets before it.
+    void lost(const Error& why);
+    void found();
+
+    /// As Transport::next.
+    NextPacket next(HostTime deadline);
+
+  private:
+    std::optional<NextPacket> take(HostTime deadline);
+
+    const Clock& clock_;
+    std::mutex mutex_;
+    std::condition_variable news_;
+    std::deque<std::variant<Packet, Fault>> items_;
+    std::optional<Error> gone_;
+};
+
+}  // namespace foverig::hardware

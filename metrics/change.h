@@ -1,0 +1,30 @@
+#pragma once
+#include "renderer/image.h"
+
+namespace foverig::metrics {
+
+/// How two sequences of display codes (0 to 255) change from frame to frame, means over pixels,
+/// channels and pairs of frames.
+struct Change {
+    int pairs = 0;
+    double reference =
+        0.0;            ///< E' of Zhang et al. (Foveated Instant Radiosity, eq. 4): mean |R' - R|
+    double test = 0.0;  ///< E' of the other: mean |T' - T|
+    double mae = 0.0;   ///< mean |(T' - T) - (R' - R)|: change that the reference has not
+    double mse = 0.0;   ///< mean of its square
+};
+
+/// Takes frames in their order, keeps one.
+class ChangeOverTime {
+  public:
+    /// Throws std::invalid_argument where a size differs from the first frame's.
+    void add(const Image& reference, const Image& test);
+    Change change() const;
+
+  private:
+    Image reference_, test_;
+    int frames_ = 0;
+    Change sum_;
+};
+
+}  // namespace foverig::metrics

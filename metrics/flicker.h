@@ -1,0 +1,30 @@
+#pragma once
+#include <deque>
+
+#include "metrics/plane.h"
+#include "metrics/temporal_filters.h"
+#include "renderer/image.h"
+
+namespace foverig::metrics {
+
+/// Flicker that the reference has not; this project's own definition: the transient channel
+/// (temporal_filters.h) of the luma's error, its root mean square over pixels and frames, in
+/// display codes. An error that stands still gives next to nothing. Before the first frame all was
+/// as in it.
+class Flicker {
+  public:
+    explicit Flicker(double frames_per_s);
+
+    /// Throws std::invalid_argument where a size differs from the first frame's.
+    void add(const Image& reference, const Image& test);
+    /// 0 of less than two frames.
+    double rms_codes() const;
+
+  private:
+    TemporalFilters filters_;
+    std::deque<Plane> errors_;  ///< newest first, as many as the filter reaches back
+    double mean_squares_ = 0.0;
+    int frames_ = 0;
+};
+
+}  // namespace foverig::metrics

@@ -1,0 +1,70 @@
+#include "renderer/backends/cuda/cuda_backend.cuh"
+
+#include <algorithm>
+
+#include "renderer/backends/cuda/device_info.h"
+
+namespace foverig::cuda {
+namespace {
+
+constexpr std::size_t kMostPasses = 4096;     ///< of one frame that trace
+constexpr std::size_t kMostRays = 1U << 31U;  ///< of one queue
+
+Stream stream_on_usable_device() {
+    device_info();
+    return make_stream();
+}
+
+int multiprocessors() {
+    int device = 0;
+    int count = 0;
+    check(cudaGetDevice(&device), "cudaGetDevice");
+    check(cudaDeviceGetAttribute(&count, cudaDevAttrMultiProcessorCount, device),
+          "cudaDeviceGetAttribute");
+    return count;
+}
+
+}  // namespace
+
+CudaBackend::CudaBackend(const SceneView& scene, const BvhView& bvh, bool holes)
+    : stream_(stream_on_usable_device()),
+      multiprocessors_(multiprocessors()),
+      holes_(holes),
+      scene_(memory_, scene, bvh, stream_.get()),
+      counters_(memory_, kMostPasses),
+      number_(memory_, 1) {}
+
+int CudaBackend::resident_blocks(const void* kernel, std::size_t rays) {
+    if (rays >= kMostRays)
+        throw CudaError("a queue of " + std::to_string(rays) +
+                        " rays is too long; at most 2^31 - 1");
+    const auto [at, added] = blocks_per_multiprocessor_.try_emplace(kernel, 0);
+    if (added) {
+        check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&at->second, kernel, kThreads, 0),
+              "cudaOccupancyMaxActiveBlocksPerMultiprocessor");
+        at->second = std::max(at->second, 1);
+    }
+    const std::size_t full = static_cast<std::size_t>(at->second * multiprocessors_);
+    return static_cast<int>(std::min(full, (rays + kThreads - 1) / kThreads));
+}
+
+int CudaBackend::next_counter() {
+    if (static_cast<std::size_t>(counters_used_) == kMostPasses)
+        throw CudaError("a frame has more than " + std::to_string(kMostPasses) + " tracing passes");
+    return counters_used_++;
+}
+
+PassTable CudaBackend::take_passes() {
+    const std::vector<QueueCounter> counted = counters_.download(stream_.get());
+    PassTable table;
+    for (const PassClock::Pass& pass : clock_.take())
+        table.add(pass.name, pass.ns,
+                  pass.counter < 0 ? 0 : counted[static_cast<std::size_t>(pass.counter)].traced);
+    check(cudaMemsetAsync(counters_.data(), 0, counters_.size() * sizeof(QueueCounter),
+                          stream_.get()),
+          "cudaMemsetAsync of the counters");
+    counters_used_ = 0;
+    return table;
+}
+
+}  // namespace foverig::cuda

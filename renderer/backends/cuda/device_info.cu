@@ -1,0 +1,59 @@
+#include "renderer/backends/cuda/device_info.h"
+
+#include "renderer/backends/cuda/check.cuh"
+
+namespace foverig::cuda {
+namespace {
+
+__global__ void nothing() {}
+
+std::string version_text(int version) {
+    return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
+}
+
+int attribute(cudaDeviceAttr which, int device) {
+    int value = 0;
+    check(cudaDeviceGetAttribute(&value, which, device), "cudaDeviceGetAttribute");
+    return value;
+}
+
+int current_device() {
+    int count = 0;
+    const cudaError_t error = cudaGetDeviceCount(&count);
+    if (error != cudaSuccess || count == 0)
+        throw NoGpuError(std::string("no GPU that CUDA can use: ") +
+                         (error != cudaSuccess ? cudaGetErrorString(error) : "no device is there") +
+                         "; run this where nvidia-smi lists a GPU");
+    int device = 0;
+    check(cudaGetDevice(&device), "cudaGetDevice");
+    return device;
+}
+
+}  // namespace
+
+DeviceInfo device_info() {
+    const int device = current_device();
+    cudaDeviceProp properties{};
+    check(cudaGetDeviceProperties(&properties, device), "cudaGetDeviceProperties");
+    cudaFuncAttributes code{};
+    if (const cudaError_t error = cudaFuncGetAttributes(&code, nothing); error != cudaSuccess)
+        throw NoGpuError(std::string(properties.name) + " is sm_" +
+                         std::to_string(properties.major) + std::to_string(properties.minor) +
+                         " and this program has no code for it (" + cudaGetErrorString(error) +
+                         "); configure with -DFOVERIG_CUDA_ARCHS=native");
+    DeviceInfo info;
+    info.name = properties.name;
+    info.major = properties.major;
+    info.minor = properties.minor;
+    info.multiprocessors = properties.multiProcessorCount;
+    info.memory_bytes = properties.totalGlobalMem;
+    info.l2_bytes = static_cast<std::uint64_t>(properties.l2CacheSize);
+    info.clock_khz = attribute(cudaDevAttrClockRate, device);
+    int version = 0;
+    check(cudaDriverGetVersion(&version), "cudaDriverGetVersion");
+    info.driver = version_text(version);
+    info.runtime = version_text(CUDART_VERSION);
+    return info;
+}
+
+}  // namespace foverig::cuda

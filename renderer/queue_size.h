@@ -1,0 +1,15 @@
+#pragma once
+#include "renderer/hd.h"
+
+namespace foverig {
+
+/// How many elements a queue holds: at most `most`, and *count where a pass of the frame counts
+/// them. `count` lies where the backend's kernels run, so that no frame waits to read it.
+struct QueueSize {
+    int most = 0;
+    const int* count = nullptr;
+
+    RIG_HD int get() const { return count != nullptr ? *count : most; }
+};
+
+}  // namespace foverig

@@ -1,0 +1,45 @@
+#include "rig/scenario/hardware_keys.h"
+
+#include "devices/hardware/identity.h"
+#include "rig/scenario/key_makers.h"
+
+namespace foverig {
+namespace {
+
+Key usb_id_key() {
+    Key key = text_key(
+        "hardware.gaze_usb_id", "VENDOR:PRODUCT, four hexadecimal digits each, as in 1209:0001",
+        "what the gaze tracker is known by on the bus",
+        [](auto& s) -> auto& { return s.hardware.gaze_usb_id; });
+    key.set = [expected = key.expected](Scenario& s,
+                                        const KeyValue& v) -> std::optional<std::string> {
+        const auto& text = std::get<std::string>(v);
+        if (!hardware::usb_id_of(text)) return expected;
+        s.hardware.gaze_usb_id = text;
+        return std::nullopt;
+    };
+    return key;
+}
+
+}  // namespace
+
+void add_hardware_keys(std::vector<Key>& keys) {
+    keys.push_back(choice_key(
+        "hardware.head", {"required", "auto", "sim"},
+        "with devices = hardware: a headset must be there; auto: simulated where there is none; "
+        "sim: simulated",
+        [](auto& s) -> auto& { return s.hardware.head; }));
+    keys.push_back(choice_key(
+        "hardware.gaze", {"required", "auto", "sim"}, "the same for the gaze tracker",
+        [](auto& s) -> auto& { return s.hardware.gaze; }));
+    keys.push_back(text_key(
+        "hardware.head_serial", "a serial (foverig devices)", "which headset; empty: the only one",
+        [](auto& s) -> auto& { return s.hardware.head_serial; }));
+    keys.push_back(text_key(
+        "hardware.gaze_serial", "a serial (foverig devices)",
+        "which gaze tracker; empty: the only one",
+        [](auto& s) -> auto& { return s.hardware.gaze_serial; }));
+    keys.push_back(usb_id_key());
+}
+
+}  // namespace foverig

@@ -1,0 +1,11 @@
+#pragma once
+#include <vector>
+
+#include "rig/scenario/keys.h"
+
+namespace foverig {
+
+/// hardware.*
+void add_hardware_keys(std::vector<Key>& keys);
+
+}  // namespace foverig

@@ -1,0 +1,53 @@
+#include "rig/session/hardware_world.h"
+
+#include "devices/hardware/open_devices.h"
+#include "rig/failure.h"
+
+namespace foverig {
+namespace {
+
+/// Null where a simulated device stands in.
+template <class Open>
+std::unique_ptr<hardware::LiveTransport> open_or_null(const std::string& choice, Open open) {
+    if (choice == "sim") return nullptr;
+    Result<std::unique_ptr<hardware::LiveTransport>> opened = open();
+    if (opened) return std::move(opened).value();
+    // What is there and cannot be opened is no reason to simulate it.
+    if (choice == "auto" && opened.error().code == ErrorCode::not_found) return nullptr;
+    throw DeviceError("devices = hardware: " + opened.error().text);
+}
+
+}  // namespace
+
+HardwareWorld::HardwareWorld(const Scenario& scenario, Clock& clock)
+    : stand_ins_(scenario, clock),
+      headset_(open_or_null(
+          scenario.hardware.head,
+          [&] { return hardware::open_headset(clock, scenario.hardware.head_serial); })),
+      gaze_tracker_(open_or_null(scenario.hardware.gaze, [&] {
+          const auto id = hardware::usb_id_of(scenario.hardware.gaze_usb_id);
+          return hardware::open_gaze_tracker(clock, id.value_or(hardware::kGazeTracker),
+                                             scenario.hardware.gaze_serial);
+      })) {}
+
+Transport& HardwareWorld::headset() {
+    return headset_ ? *headset_ : stand_ins_.headset();
+}
+
+Transport& HardwareWorld::gaze_tracker() {
+    return gaze_tracker_ ? *gaze_tracker_ : stand_ins_.gaze_tracker();
+}
+
+double HardwareWorld::initial_yaw_rad() const {
+    return headset_ ? 0.0 : stand_ins_.initial_yaw_rad();
+}
+
+std::optional<dquat> HardwareWorld::true_head(HostTime time) const {
+    return headset_ ? std::nullopt : stand_ins_.true_head(time);
+}
+
+std::optional<std::array<dvec3, 2>> HardwareWorld::true_gaze(HostTime time) const {
+    return gaze_tracker_ ? std::nullopt : stand_ins_.true_gaze(time);
+}
+
+}  // namespace foverig

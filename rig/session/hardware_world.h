@@ -1,0 +1,31 @@
+#pragma once
+#include "devices/hardware/live_transport.h"
+#include "rig/session/simulated_world.h"
+
+namespace foverig {
+
+/// The devices on the desk; simulated ones stand in for what the scenario does not ask of the desk,
+/// and the display is the scenario's virtual panel. The truth is known of simulated devices only.
+class HardwareWorld final : public World {
+  public:
+    /// Throws DeviceError where a required device cannot be opened; otherwise as SimulatedWorld.
+    /// `clock` runs in real time.
+    HardwareWorld(const Scenario& scenario, Clock& clock);
+
+    Transport& headset() override;
+    Transport& gaze_tracker() override;
+    Display& display() override { return stand_ins_.display(); }
+
+    double initial_yaw_rad() const override;
+    std::optional<dquat> true_head(HostTime time) const override;
+    std::optional<std::array<dvec3, 2>> true_gaze(HostTime time) const override;
+    /// A headset on the desk reads its own panel, which does not show this run's frames.
+    bool reads_back_our_frames() const override { return headset_ == nullptr; }
+    bool at_end() const override { return false; }
+
+  private:
+    SimulatedWorld stand_ins_;
+    std::unique_ptr<hardware::LiveTransport> headset_, gaze_tracker_;  // null: simulated
+};
+
+}  // namespace foverig

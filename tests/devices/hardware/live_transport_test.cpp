@@ -1,0 +1,124 @@
+#include "devices/hardware/live_transport.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+namespace foverig::hardware {
+namespace {
+
+Bytes bytes_of(const std::vector<std::byte>& v) {
+    return v;
+}
+const std::vector<std::byte> kFirst{std::byte{1}}, kSecond{std::byte{2}};
+
+HostTime at_ms(int ms) {
+    return HostTime(Nanoseconds(std::int64_t{ms} * 1'000'000));
+}
+
+std::vector<std::byte> packet_of(const NextPacket& next) {
+    const auto* packet = std::get_if<Packet>(&next);
+    return packet != nullptr ? packet->bytes : std::vector<std::byte>{};
+}
+
+TEST(PacketQueue, GivesWhatArrivedByTheDeadlineInOrder) {
+    ManualClock clock;
+    PacketQueue queue(clock);
+    clock.sleep_until(at_ms(1));
+    queue.push(bytes_of(kFirst));
+    clock.sleep_until(at_ms(3));
+    queue.push(bytes_of(kSecond));
+    EXPECT_EQ(packet_of(queue.next(at_ms(2))), kFirst);
+    EXPECT_TRUE(std::holds_alternative<Timeout>(queue.next(at_ms(2))));
+    EXPECT_EQ(packet_of(queue.next(at_ms(3))), kSecond);
+    EXPECT_TRUE(std::holds_alternative<Timeout>(queue.next(at_ms(3))));
+}
+
+TEST(PacketQueue, TellsOfALossEvenWhenTheDeviceIsBack) {
+    ManualClock clock;
+    PacketQueue queue(clock);
+    queue.push(bytes_of(kFirst));
+    queue.lost({ErrorCode::closed, "unplugged"});
+    queue.lost({ErrorCode::not_found, "still unplugged"});
+    queue.found();
+    queue.push(bytes_of(kSecond));
+    EXPECT_EQ(packet_of(queue.next(at_ms(0))), kFirst);
+    EXPECT_TRUE(std::holds_alternative<Fault>(queue.next(at_ms(0))));
+    EXPECT_EQ(packet_of(queue.next(at_ms(0))), kSecond);
+    EXPECT_TRUE(std::holds_alternative<Timeout>(queue.next(at_ms(0))));
+}
+
+TEST(PacketQueue, IsFaultyUntilTheDeviceIsFound) {
+    ManualClock clock;
+    PacketQueue queue(clock);
+    queue.lost({ErrorCode::closed, "unplugged"});
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_TRUE(std::holds_alternative<Fault>(queue.next(at_ms(0))));
+    }
+    queue.found();
+    EXPECT_TRUE(std::holds_alternative<Timeout>(queue.next(at_ms(0))));
+}
+
+TEST(PacketQueue, KeepsTheNewestWhenNobodyAsks) {
+    ManualClock clock;
+    PacketQueue queue(clock);
+    queue.push(bytes_of(kFirst));
+    for (std::size_t i = 0; i < PacketQueue::kCapacity; ++i) queue.push(bytes_of(kSecond));
+    EXPECT_EQ(packet_of(queue.next(at_ms(0))), kSecond);
+}
+
+/// Gives two packets, then is gone.
+class ShortLink final : public Link {
+  public:
+    Status read(PacketQueue& packets) override {
+        if (++reads_ > 2) return Error{ErrorCode::closed, "gone"};
+        packets.push(kFirst);
+        return Done{};
+    }
+    Status control_set(std::uint8_t, std::uint16_t, Bytes) override { return Done{}; }
+    Result<std::vector<std::byte>> control_get(std::uint8_t, std::uint16_t, std::size_t) override {
+        return kSecond;
+    }
+
+  private:
+    int reads_ = 0;
+};
+
+TEST(LiveTransport, OpensItsDeviceAgainAndAgain) {
+    const WallClock clock;
+    std::atomic<int> opened = 0;
+    const auto open = [&]() -> Result<std::unique_ptr<Link>> {
+        if (++opened % 2 == 0) return Error{ErrorCode::not_found, "not yet"};
+        return std::unique_ptr<Link>(new ShortLink);
+    };
+    const auto transport = LiveTransport::open(
+        clock, open, {.retry_period = Nanoseconds(1'000'000), .realtime = false});
+    ASSERT_TRUE(transport);
+    const HostTime deadline = clock.now() + Nanoseconds(10'000'000'000);
+    int packets = 0, losses = 0;
+    bool up = true;
+    while (packets < 6 && clock.now() < deadline) {
+        const auto next = (*transport)->next(deadline);
+        if (std::holds_alternative<Packet>(next)) ++packets;
+        const bool fault = std::holds_alternative<Fault>(next);
+        losses += up && fault ? 1 : 0;
+        up = !fault;
+    }
+    EXPECT_EQ(packets, 6);
+    EXPECT_EQ(losses, 2);
+}
+
+TEST(LiveTransport, SaysWhyItCannotOpen) {
+    const WallClock clock;
+    const auto transport = LiveTransport::open(
+        clock,
+        [] {
+            return Result<std::unique_ptr<Link>>(Error{ErrorCode::busy, "held"});
+        },
+        {});
+    ASSERT_FALSE(transport);
+    EXPECT_EQ(transport.error().code, ErrorCode::busy);
+}
+
+}  // namespace
+}  // namespace foverig::hardware

@@ -1,0 +1,126 @@
+// The DK2 over the real hidapi, with umockdev in the kernel's place.
+#include <array>
+#include <thread>
+
+#include "devices/dk2/calibration_reports.h"
+#include "devices/dk2/feature_reports.h"
+#include "devices/dk2/imu_source.h"
+#include "devices/hardware/open_devices.h"
+#include "tests/devices/byte_text.h"
+#include "tests/hardware/mock_headset.h"
+
+namespace foverig::hardware {
+namespace {
+
+using test::MockBed;
+using test::MockHeadset;
+
+/// Report 11 of DEVICES.md 1.2.1.
+const std::vector<std::byte> kGolden = test::bytes_of(
+    "0b 07 00 02 34 12 35 0c 4e 61 bc 00 00 00 00 5f c4 80 00 00 00 00 57 ff fb 00 00 3c 00 03 c0 "
+    "5f"
+    "b4 3f ff 92 00 00 67 ff fb 80 00 42 34 08 34 ef dc 05 f4 01 00 50 bc 00 50 03 2c 01 00 58 bc "
+    "00");
+
+class Headset : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!umockdev_in_mock_environment()) GTEST_SKIP() << "umockdev is not preloaded";
+    }
+
+    Result<std::unique_ptr<LiveTransport>> open(const std::string& serial = "") {
+        return open_headset(clock_, serial,
+                            {.retry_period = Nanoseconds(10'000'000), .realtime = false});
+    }
+    HostTime soon() const { return clock_.now() + Nanoseconds(5'000'000'000); }
+
+    WallClock clock_;
+    MockBed bed_;
+};
+
+TEST_F(Headset, IsNotFoundWhereThereIsNone) {
+    const auto opened = open();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().code, ErrorCode::not_found);
+    EXPECT_NE(opened.error().text.find("2833:0021"), std::string::npos) << opened.error().text;
+    EXPECT_TRUE(find_headsets().empty());
+}
+
+TEST_F(Headset, IsFoundByItsSerial) {
+    const MockHeadset first(bed_, 0, "AAAA"), second(bed_, 1, "BBBB");
+    const auto found = find_headsets();
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(open().error().code, ErrorCode::invalid_data);
+    EXPECT_EQ(open("CCCC").error().code, ErrorCode::not_found);
+    EXPECT_EQ(choose_headset("BBBB")->path, second.node());
+    EXPECT_TRUE(open("BBBB"));
+}
+
+TEST_F(Headset, GivesReportsByteForByteWithTheirArrival) {
+    MockHeadset headset(bed_);
+    const auto device = open();
+    ASSERT_TRUE(device) << device.error().text;
+    const HostTime before = clock_.now();
+    headset.send(kGolden);
+    const auto next = (*device)->next(soon());
+    const auto* packet = std::get_if<Packet>(&next);
+    ASSERT_NE(packet, nullptr);
+    EXPECT_EQ(packet->bytes, kGolden);
+    EXPECT_GE(packet->arrival, before);
+    EXPECT_LE(packet->arrival, clock_.now());
+    EXPECT_TRUE(std::holds_alternative<Timeout>((*device)->next(clock_.now())));
+}
+
+TEST_F(Headset, CarriesFeatureReportsBothWays) {
+    MockHeadset headset(bed_);
+    const auto device = open();
+    ASSERT_TRUE(device) << device.error().text;
+    const auto config = test::copy_of(dk2::ConfigReport{.command_id = 9, .interval = 1}.encode());
+    ASSERT_TRUE((*device)->control_set(dk2::ConfigReport::kId, 0, config));
+    ASSERT_EQ(headset.sets().size(), 1U);
+    EXPECT_EQ(headset.sets()[0], config);
+    headset.answer(config);
+    EXPECT_EQ(*(*device)->control_get(dk2::ConfigReport::kId, 0, config.size()), config);
+    const auto unknown = (*device)->control_get(19, 0, 23);
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().code, ErrorCode::io);
+}
+
+/// Unplugged: a fault, for good. Plugged in again: reports, and it was set up as at first.
+TEST_F(Headset, ComesBackAndIsSetUpAgain) {
+    const auto answer_all = [](MockHeadset& headset) {
+        headset.answer(test::copy_of(dk2::FactoryCalibrationReport{}.encode()));
+        headset.answer(test::copy_of(dk2::ConfigReport{}.encode()));
+        headset.answer(test::copy_of(dk2::DisplayReport{}.encode()));
+    };
+    auto headset = std::make_unique<MockHeadset>(bed_);
+    answer_all(*headset);
+    const auto device = open();
+    ASSERT_TRUE(device) << device.error().text;
+    auto source = dk2::Dk2ImuSource::open(**device, clock_.now());
+    ASSERT_TRUE(source) << source.error().text;
+    auto& imu = const_cast<dk2::Dk2ImuSource&>(*source);
+    headset->send(kGolden);
+    ASSERT_TRUE(std::holds_alternative<ImuSample>(imu.next(soon())));
+    ASSERT_TRUE(std::holds_alternative<ImuSample>(imu.next(soon())));
+    const auto first_sets = headset->sets().size();
+
+    headset->unplug();
+    auto next = imu.next(soon());
+    ASSERT_TRUE(std::holds_alternative<Fault>(next));
+    EXPECT_EQ(std::get<Fault>(next).error.code, ErrorCode::closed);
+    EXPECT_FALSE((*device)->control_get(dk2::ConfigReport::kId, 0, 7));
+
+    headset.reset();
+    headset = std::make_unique<MockHeadset>(bed_, 1);
+    answer_all(*headset);
+    while (std::holds_alternative<Fault>(imu.next(clock_.now()))) std::this_thread::yield();
+    auto later = kGolden;
+    later[8] = std::byte{0x4F};  // a microsecond on
+    headset->send(later);
+    EXPECT_TRUE(std::holds_alternative<ImuSample>(imu.next(soon())));
+    EXPECT_EQ(headset->sets().size(), first_sets);
+}
+
+}  // namespace
+}  // namespace foverig::hardware

@@ -1,0 +1,90 @@
+// What is measured over a sequence: change, flicker, and the filters that flicker is seen through.
+#include <gtest/gtest.h>
+
+#include "metrics/change.h"
+#include "metrics/flicker.h"
+#include "metrics/temporal_filters.h"
+#include "tests/metrics/expected.h"
+#include "tests/metrics/pictures.h"
+
+namespace foverig::metrics {
+namespace {
+
+class SequenceAgainstExpected : public test::Expected {};
+
+TEST_F(SequenceAgainstExpected, HasTheDerivativeErrorsOfTheRows) {
+    int rows = 0;
+    for (const auto& row : json.at("basic")) {
+        if (!row.contains("temporal_derivative_mse_rgb8")) continue;
+        const auto reference = test::frames_of(image(row.at("ref")), 128);
+        const auto other = test::frames_of(image(row.at("test")), 128);
+        ChangeOverTime over_time;
+        for (std::size_t i = 0; i < reference.size(); ++i) over_time.add(reference[i], other[i]);
+        const double mse = row.at("temporal_derivative_mse_rgb8");
+        const double mae = row.at("temporal_derivative_mae_rgb8");
+        EXPECT_EQ(over_time.change().pairs, 23);
+        EXPECT_NEAR(over_time.change().mse, mse, tolerance("mse_rel") * mse);
+        EXPECT_NEAR(over_time.change().mae, mae, tolerance("mse_rel") * mae);
+        ++rows;
+    }
+    EXPECT_EQ(rows, 2);
+}
+
+TEST_F(SequenceAgainstExpected, SeesThroughTheFiltersOfFovVideoVdp) {
+    const auto& expected = json.at("fvvdp_temporal_filters").at(0);
+    const TemporalFilters filters(expected.at("fps").get<double>());
+    ASSERT_EQ(filters.sustained.size(), expected.at("sustained").size());
+    for (std::size_t i = 0; i < filters.sustained.size(); ++i) {
+        EXPECT_NEAR(filters.sustained[i], expected.at("sustained")[i].get<double>(), 1e-6) << i;
+        EXPECT_NEAR(filters.transient[i], expected.at("transient")[i].get<double>(), 1e-6) << i;
+    }
+}
+
+TEST_F(SequenceAgainstExpected, FindsMoreFlickerWhereABrightnessFlickersThanInNoise) {
+    const auto reference = test::frames_of(image("vid_ref.png"), 128);
+    const auto flickering = test::frames_of(image("vid_flicker.png"), 128);
+    Flicker flicker(75.0), none(75.0);
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+        flicker.add(reference[i], flickering[i]);
+        none.add(reference[i], reference[i]);
+    }
+    EXPECT_GT(flicker.rms_codes(), 0.5);
+    EXPECT_EQ(none.rms_codes(), 0.0);
+}
+
+TEST(Change, TellsTheReferencesMotionFromTheTests) {
+    const auto grey = [](float code) {
+        return test::flat(7, 3, vec3(linear_from_srgb(code / 255.0F)));
+    };
+    ChangeOverTime over_time;
+    over_time.add(grey(10.0F), grey(10.0F));
+    over_time.add(grey(13.0F), grey(20.0F));
+    over_time.add(grey(13.0F), grey(20.0F));
+    const Change change = over_time.change();
+    EXPECT_NEAR(change.reference, 1.5, 1e-3);
+    EXPECT_NEAR(change.test, 5.0, 1e-3);
+    EXPECT_NEAR(change.mae, 3.5, 1e-3);
+    EXPECT_NEAR(change.mse, 24.5, 1e-2);
+}
+
+TEST(Flicker, OfAnErrorThatStandsStillIsNextToNothing) {
+    Flicker still(75.0), blinking(75.0);
+    const Image dark = test::flat(8, 8, vec3(0.1F));
+    const Image light = test::flat(8, 8, vec3(0.2F));
+    for (int i = 0; i < 40; ++i) {
+        still.add(dark, light);
+        blinking.add(dark, i / 8 % 2 == 0 ? light : dark);
+    }
+    EXPECT_GT(blinking.rms_codes(), 5.0);
+    EXPECT_LT(still.rms_codes(), 0.05 * blinking.rms_codes());
+}
+
+TEST(Flicker, RefusesAFrameOfAnotherSizeAndTooFewFramesASecond) {
+    Flicker flicker(75.0);
+    flicker.add(test::noise(8, 8, 1), test::noise(8, 8, 2));
+    EXPECT_THROW(flicker.add(test::noise(8, 9, 1), test::noise(8, 9, 2)), std::invalid_argument);
+    EXPECT_THROW(TemporalFilters(4.0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace foverig::metrics
