@@ -25,7 +25,7 @@ class McapInterop : public testing::Test {
     void SetUp() override {
         const fs::path ours = fs::path(FOVERIG_SOURCE_DIR) / "tests/devices/recording/interop";
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::current_path() / "mcap_interop" / test->name();
+        folder_ = fs::path(testing::TempDir()) / "mcap_interop" / test->name();
         fs::create_directories(folder_);
         for (const char* name : {"package.json", "package-lock.json", "interop.mjs"}) {
             fs::copy_file(ours / name, folder_ / name, fs::copy_options::overwrite_existing);
