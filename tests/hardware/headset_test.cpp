@@ -1,4 +1,7 @@
 // The DK2 over the real hidapi, with umockdev in the kernel's place.
+#include <pty.h>
+#include <unistd.h>
+
 #include <array>
 #include <thread>
 
@@ -26,6 +29,11 @@ class Headset : public testing::Test {
   protected:
     void SetUp() override {
         if (!umockdev_in_mock_environment()) GTEST_SKIP() << "umockdev is not preloaded";
+        // The mock headset is a pseudo-terminal; a bare chroot has no /dev/pts to make one in.
+        int ends[2] = {-1, -1};
+        if (openpty(&ends[0], &ends[1], nullptr, nullptr, nullptr) != 0)
+            GTEST_SKIP() << "no pseudo-terminal can be opened here";
+        for (const int end : ends) close(end);
     }
 
     Result<std::unique_ptr<LiveTransport>> open(const std::string& serial = "") {
