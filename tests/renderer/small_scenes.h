@@ -109,4 +109,18 @@ inline dvec3 floor_point(const EyeView& v, int x_px, int y_px, double height_m =
     return o + d * ((height_m - o.y) / d.y);
 }
 
+/// A card whose left half is a hole, a wall 1 m behind it, both facing the origin.
+inline Scene card_before_wall() {
+    SmallScene s;
+    s.scene().textures.push_back({2, 1, 1, 0, false, false, true});
+    s.scene().texels = {0x00FFFFFFU, 0xFFFFFFFFU};
+    Material leaf;
+    leaf.diffuse_texture = 0;
+    leaf.alpha_cutoff = 0.5F;
+    s.add_quad(s.add_material(leaf), {-1, -1, -1}, {2, 0, 0}, {0, 2, 0});
+    s.end_part(true);
+    s.add_quad(s.add_matte(vec3(0.5F)), {-4, -4, -2}, {8, 0, 0}, {0, 8, 0});
+    return *s.finish();
+}
+
 }  // namespace foverig

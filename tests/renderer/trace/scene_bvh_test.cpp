@@ -336,18 +336,9 @@ TEST(SceneBvh, BothEndsOfTheRangeBelongToIt) {
 }
 
 TEST(SceneBvh, AHoleIsSeenThroughAndASolidTexelIsNot) {
-    SmallScene s;
-    s.scene().textures.push_back({2, 1, 1, 0, false, false, true});
-    s.scene().texels = {0x00FFFFFFU, 0xFFFFFFFFU};
-    Material leaf;
-    leaf.diffuse_texture = 0;
-    leaf.alpha_cutoff = 0.5F;
-    s.add_quad(s.add_material(leaf), {-1, -1, -1}, {2, 0, 0}, {0, 2, 0});
-    s.end_part(true);
-    s.add_quad(s.add_matte(vec3(0.5F)), {-4, -4, -2}, {8, 0, 0}, {0, 8, 0});
-    const auto scene = s.finish();
-    const HostBvhScene masked(*scene, {});
-    const HostBvhScene opaque(*scene, {false, {}, {}});
+    const Scene scene = card_before_wall();
+    const HostBvhScene masked(scene, {});
+    const HostBvhScene opaque(scene, {false, {}, {}});
     for (int i = 0; i < 32; ++i) {
         Ray ray;
         ray.direction = {-0.97F + 0.06F * static_cast<float>(i), 0.3F, -1.0F};
