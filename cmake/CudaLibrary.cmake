@@ -11,10 +11,6 @@ list(GET FOVERIG_CUDA_ARCHS -1 last_arch)    # its PTX too: a newer GPU's driver
 list(APPEND gencode -gencode arch=compute_${last_arch},code=compute_${last_arch})
 string(REPLACE ";" " sm_" FOVERIG_CUDA_FLAGS "-O3 sm_${FOVERIG_CUDA_ARCHS}")
 
-get_filename_component(cuda_bin "${FOVERIG_NVCC}" REALPATH)
-get_filename_component(cuda_bin "${cuda_bin}" DIRECTORY)
-find_library(FOVERIG_CUDART cudart_static REQUIRED NO_DEFAULT_PATH
-  HINTS ${cuda_bin}/../lib64 ${cuda_bin}/../targets/x86_64-linux/lib ${cuda_bin}/../lib)
 find_package(Threads REQUIRED)
 
 function(foverig_cuda_library name folder)
