@@ -14,9 +14,15 @@
 namespace foverig::bench {
 namespace {
 
-constexpr std::array kFixedPasses{"reproject_vertices", "reproject_coarse", "mark_resampling",
-                                  "reproject_raster",   "reproject",        "merge",
-                                  "cache_update",       "post_process"};
+constexpr std::array kFixedPasses{"reproject_vertices",
+                                  "measure_facing",
+                                  "reproject_coarse",
+                                  "mark_resampling",
+                                  "reproject_raster",
+                                  "reproject",
+                                  "merge",
+                                  "cache_update",
+                                  "post_process"};
 /// Passes whose work is moving images, and not geometry or search: what bandwidth can bound.
 constexpr std::array kImagePasses{"reproject", "merge", "cache_update"};
 constexpr int kFrames = 12;

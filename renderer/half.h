@@ -17,7 +17,18 @@ struct Half4 {
     std::uint64_t bits = 0;  ///< x in the low 16 bits, then y, z, w
 };
 
-/// Round to nearest even; beyond 65504 becomes infinity.
+inline constexpr float kLargestHalf = 65504.0F;
+
+/// A colour as halves can hold it: at most the largest, NaN as 0. Stored so, nothing that is mixed
+/// later turns into infinity or NaN.
+RIG_INLINE vec3 representable(const vec3& c) {
+    const auto held = [](float v) {
+        return v < kLargestHalf ? (v > 0.0F ? v : 0.0F) : (v == v ? kLargestHalf : 0.0F);
+    };
+    return {held(c.x), held(c.y), held(c.z)};
+}
+
+/// Round to nearest even; beyond kLargestHalf becomes infinity.
 RIG_INLINE Half4 pack_half4(const vec4& v) {
 #if defined(__CUDACC__)
     Half4 h;

@@ -10,9 +10,11 @@
 #include "renderer/camera.h"
 #include "renderer/counts.h"
 #include "renderer/effects/plan.h"
+#include "renderer/half.h"
 #include "renderer/image.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings.h"
+#include "renderer/view.h"
 
 namespace foverig {
 
@@ -42,6 +44,8 @@ class Renderer {
 
     /// The last frame of that eye: linear RGB, not yet distorted; as reports and metrics want it.
     virtual Image image(int eye) const = 0;
+    /// The same as displays want it, where it lies, row by row; until the next render().
+    virtual View<const Half4> pixels(int eye) const = 0;
     /// 1 where the last frame traced a primary ray. Empty for pipelines that trace every pixel.
     virtual Mask sampling_mask(int eye) const = 0;
     /// 1 where the last frame found the reprojection wanting (Weier 2016 3.3).

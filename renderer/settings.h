@@ -39,7 +39,7 @@ struct ReprojectionSettings {
     double k_min_light = 0.05;  ///< the same for the light buffer (3.1: its own rate)
     int footprint_samples = 2;  ///< normally distributed taps of a reprojected pixel: 1, 2, 4 or 8
     double footprint_sigma = 0.30;  ///< of the footprint's width
-    int post_samples = 8;           ///< n of 3.5
+    int post_samples = 2;           ///< n of 3.5; more found no better neighbour
     int post_search_px = 16;        ///< furthest neighbour that 3.5 looks for
     bool oversampling = false;      ///< jitter primary rays over the pixel and accumulate (5)
 };

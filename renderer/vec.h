@@ -24,4 +24,9 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
+/// Of linear RGB (Rec. 709).
+RIG_INLINE float luminance(const vec3& c) {
+    return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z;
+}
+
 }  // namespace foverig

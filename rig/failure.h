@@ -11,6 +11,7 @@ enum class ExitCode {
     input = 3,         ///< input data: scenes, run folders
     device = 4,
     internal = 5,
+    interrupted = 130,  ///< Ctrl-C before there was anything to keep
 };
 
 /// The command line or the scenario asks for something that cannot be: exit code 2.

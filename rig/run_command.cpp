@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -22,9 +23,9 @@ namespace foverig {
 namespace {
 
 RunRecord run_session(const Scenario& scenario, const Scene& scene, Renderer& renderer,
-                      LensPass* lens, KeptImages& images, SessionRecording* recording) {
+                      LensPass* lens, KeptImages& images, SessionRecording* recording,
+                      const Interrupt& interrupt) {
     Session session(scenario, scene, renderer, lens, recording);
-    const Interrupt interrupt;
     Progress progress;
     std::optional<FrameInput> last;
     SessionHooks hooks;
@@ -37,16 +38,21 @@ RunRecord run_session(const Scenario& scenario, const Scene& scene, Renderer& re
     RunRecord run = session.run(hooks);
     progress.done();
     if (last) images.run_done(*last, renderer);
+    if (const auto missed = images.missed(); !missed.empty())
+        fmt::print(stderr, "images.frames: the run of {} frames never came to {}\n",
+                   run.frames.size(), fmt::join(missed, ", "));
     return run;
 }
 
 void compare_with_full(const Scenario& scenario, const std::shared_ptr<const Scene>& scene,
-                       KeptImages& images) {
-    if (!scenario.images.error || scenario.render.pipeline == "full" || images.empty()) return;
-    fmt::print(stderr, "rendering the kept frames in full, to compare\n");
+                       KeptImages& images, const Interrupt& interrupt) {
+    if (!scenario.images.error || scenario.render.pipeline == "full" || images.empty() ||
+        interrupt.requested())
+        return;
+    fmt::print(stderr, "rendering the kept frames in full, to compare; Ctrl-C leaves that out\n");
     RenderSettings settings = scenario.render;
     settings.pipeline = "full";
-    images.compare_with(*open_renderer(scene, settings));
+    images.compare_with(*open_renderer(scene, settings), [&] { return interrupt.requested(); });
 }
 
 void write_records(const RunFolder& folder, const Scenario& scenario, const RunRecord& run,
@@ -81,6 +87,7 @@ ExitCode judged(const std::vector<FailIf>& checks, const nlohmann::json& summary
 ExitCode run_command(const RunRequest& request) {
     const Scenario& scenario = request.scenario;
     require_devices(scenario);
+    const Interrupt interrupt;
     RunFolder folder(request.out);
     fmt::print(stderr, "loading {}\n", scenario.scene);
     const auto scene = open_scene(scenario);
@@ -89,11 +96,15 @@ ExitCode run_command(const RunRequest& request) {
     KeptImages images(scenario);
     std::optional<SessionRecording> recording;
     if (scenario.recording.enabled) recording.emplace(folder.draft() / "session.mcap", scenario);
+    if (interrupt.requested()) {
+        fmt::print(stderr, "interrupted while loading: nothing was measured\n");
+        return ExitCode::interrupted;
+    }
     const RunRecord run = run_session(scenario, *scene, *renderer, lens.get(), images,
-                                      recording ? &*recording : nullptr);
+                                      recording ? &*recording : nullptr, interrupt);
     const std::uint64_t rss_bytes = peak_rss_bytes();
     renderer.reset();  // the comparison needs the memory
-    compare_with_full(scenario, scene, images);
+    compare_with_full(scenario, scene, images, interrupt);
 
     nlohmann::json summary =
         summary_json(run, scenario_json(scenario), build_info(), host_info(), rss_bytes);

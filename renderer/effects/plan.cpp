@@ -70,6 +70,12 @@ const std::vector<std::string>& effect_names() {
     return names;
 }
 
+std::string_view follows_from(std::string_view effect) {
+    if (effect == "light_buffer") return "effects.area_light and effects.ambient_occlusion";
+    if (effect == "reprojection") return "the pipeline";
+    return {};
+}
+
 EffectPlan::EffectPlan(const Scene& scene, const RenderSettings& settings) {
     for (const auto& [name, value] : settings.effects) {
         const auto& known = effect_names();
@@ -81,6 +87,10 @@ EffectPlan::EffectPlan(const Scene& scene, const RenderSettings& settings) {
                 fmt::format("effects.{} = \"{}\": expected \"auto\" or \"off\"; an effect that the "
                             "scene does not call for cannot be forced",
                             name, value));
+        if (value == "off" && !follows_from(name).empty())
+            throw std::invalid_argument(fmt::format(
+                "effects.{} = \"off\": expected \"auto\", since it follows from {}; change that",
+                name, follows_from(name)));
     }
     const auto add = [&](Finding finding, std::vector<std::string> passes) {
         PlannedEffect e;
@@ -102,7 +112,9 @@ EffectPlan::EffectPlan(const Scene& scene, const RenderSettings& settings) {
     add(alpha_mask(scene), {});
     add(point_light(scene, settings.lighting), {"shadow_point", "shade_point_light"});
     add(area_light(scene, settings.lighting), {"shadow_area"});
-    add(ambient_occlusion(scene, settings.lighting), {"ambient_occlusion"});
+    std::vector<std::string> occlusion{"ambient_occlusion"};
+    if (settings.pipeline != "reference") occlusion.emplace_back("order_occlusion");
+    add(ambient_occlusion(scene, settings.lighting), std::move(occlusion));
     const bool stochastic = on(Effect::area_light) || on(Effect::ambient_occlusion);
     add({stochastic, stochastic ? "area light or ambient occlusion is sampled"
                                 : "no light is sampled at random"},
@@ -110,8 +122,8 @@ EffectPlan::EffectPlan(const Scene& scene, const RenderSettings& settings) {
     add(moving_geometry(scene), {"move_geometry"});
     add({reprojects, reprojects ? "pipeline is reprojected"
                                 : fmt::format("pipeline {} keeps no history", settings.pipeline)},
-        {"reproject_vertices", "reproject_coarse", "mark_resampling", "reproject_raster",
-         "reproject", "cache_update", "merge"});
+        {"reproject_vertices", "measure_facing", "reproject_coarse", "mark_resampling",
+         "reproject_raster", "reproject", "cache_update", "merge"});
     add({settings.reprojection.oversampling, settings.reprojection.oversampling
                                                  ? "reprojection.oversampling is on"
                                                  : "reprojection.oversampling is off"},

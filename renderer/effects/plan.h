@@ -60,5 +60,7 @@ class EffectPlan {
 
 /// Names that `effects.<name>` may use, in the order of Effect.
 const std::vector<std::string>& effect_names();
+/// For an effect that cannot be turned off by itself, what it follows from; else empty.
+std::string_view follows_from(std::string_view effect);
 
 }  // namespace foverig

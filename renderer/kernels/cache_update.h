@@ -55,13 +55,14 @@ struct CacheUpdate {
                      lit(vec3(unpack_half4(samples.diffuse[i])), vec3(light), light.w, ambient,
                          kOcclusion);
         }
-        to.colour[target] = pack_half4(vec4(alpha * colour + (1.0F - alpha) * vec3(cached),
-                                            accumulated_samples(cached.w, alpha)));
+        to.colour[target] =
+            pack_half4(vec4(alpha * representable(colour) + (1.0F - alpha) * vec3(cached),
+                            accumulated_samples(cached.w, alpha)));
         to.info[target] = pack_info(alpha, frame);
     }
 
     /// 1/m: depths beyond half's range count as equally far.
-    static constexpr float kInverseFar = 1.0F / 65504.0F;
+    static constexpr float kInverseFar = 1.0F / kLargestHalf;
 };
 
 }  // namespace foverig

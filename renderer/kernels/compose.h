@@ -11,15 +11,22 @@ RIG_INLINE vec3 lit(const vec3& diffuse, const vec3& irradiance, float occlusion
     return diffuse * (irradiance * kInversePi + (occluded ? ambient * occlusion : vec3(0.0F)));
 }
 
-/// NaN and infinity are counted and shown black, so that one bad pixel cannot spread through
-/// history.
+RIG_INLINE bool is_finite(const vec3& c) {
+    return c - c == vec3(0.0F);
+}
+
+/// NaN and infinity are counted and shown black, a colour too bright for a half is counted and
+/// clamped, so that one bad pixel cannot spread through history.
 RIG_INLINE vec3 checked(const vec3& c, NumericCounts& counts) {
-    const float sum = c.x + c.y + c.z;
-    if (sum - sum == 0.0F) return c;  // false for NaN and infinity alone
-    if (sum != sum)
-        count_one(counts.nan);
-    else
+    if (is_finite(c)) {
+        if (max_of(max_of(c.x, c.y), c.z) <= kLargestHalf) return c;
+        count_one(counts.clamped);
+        return representable(c);
+    }
+    if (c == c)
         count_one(counts.inf);
+    else
+        count_one(counts.nan);
     return vec3(0.0F);
 }
 

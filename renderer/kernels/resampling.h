@@ -55,8 +55,7 @@ struct ResolveCoarse {
                                           static_cast<float>(height_px - 1));
             const vec4 colour = unpack_half4(
                 from_colour[static_cast<int>(source_y) * width_px + static_cast<int>(source_x)]);
-            coarse.luminance[target] =
-                sqrtf(min_of(0.2126F * colour.x + 0.7152F * colour.y + 0.0722F * colour.z, 1.0F));
+            coarse.luminance[target] = sqrtf(min_of(luminance(vec3(colour)), 1.0F));
             const int column = static_cast<int>(source_x * columns_per_px);
             const int row = static_cast<int>(source_y * rows_per_px);
             coarse.facing[target] =
@@ -105,10 +104,33 @@ struct CoarseLookup {
     const std::uint8_t* marked = nullptr;     ///< null: nothing is marked (no history yet)
     const std::int16_t* column_of = nullptr;  ///< by pixel column
     const std::int16_t* row_of = nullptr;
+    const std::int16_t* column_from_px = nullptr;  ///< first pixel column of each cell, and the end
+    const std::int16_t* row_from_px = nullptr;
     int columns = 0;
+    int rows = 0;
+
+    RIG_HD int cell(int x, int y) const { return row_of[y] * columns + column_of[x]; }
 
     RIG_HD bool operator()(int x, int y) const {
-        return marked != nullptr && marked[row_of[y] * columns + column_of[x]] != 0;
+        return marked != nullptr && marked[cell(x, y)] != 0;
+    }
+
+    /// Pixels from (x, y), whose cell is marked, to the nearest pixel on its row or column whose
+    /// cell is not; 0: none within reach_px. Goes from cell to cell.
+    RIG_HD int distance_to_unmarked(int x, int y, int reach_px) const {
+        int nearest = reach_px + 1;
+        const auto search = [&](const std::uint8_t* marks, int stride, const std::int16_t* from_px,
+                                int cell, int cells, int p) {
+            for (int c = cell - 1; c >= 0 && p - from_px[c + 1] + 1 < nearest; --c)
+                if (marks[c * stride] == 0) nearest = p - from_px[c + 1] + 1;
+            for (int c = cell + 1; c < cells && from_px[c] - p < nearest; ++c)
+                if (marks[c * stride] == 0) nearest = from_px[c] - p;
+        };
+        const int column = column_of[x];
+        const int row = row_of[y];
+        search(marked + row * columns, 1, column_from_px, column, columns, x);
+        search(marked + column, columns, row_from_px, row, rows, y);
+        return nearest > reach_px ? 0 : nearest;
     }
 };
 

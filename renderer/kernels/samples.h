@@ -54,14 +54,19 @@ struct StoreSamples {
             depth = surfaces.at(Row::depth, s);
             if constexpr (kLightBuffer) {
                 diffuse = surfaces.get3(Row::diffuse_r, s);
-                light = vec4(surfaces.get3(Row::irradiance_r, s), surfaces.at(Row::occlusion, s));
-                colour += lit(diffuse, vec3(light), light.w, ambient, kOcclusion);
+                const vec3 irradiance = surfaces.get3(Row::irradiance_r, s);
+                light = vec4(representable(irradiance), surfaces.at(Row::occlusion, s));
+                colour += lit(diffuse, irradiance, light.w, ambient, kOcclusion);
             }
+        }
+        if (!is_finite(colour)) {  // what is mixed again later must stay black too
+            base = diffuse = vec3(0.0F);
+            light = {0.0F, 0.0F, 0.0F, 1.0F};
         }
         colour = checked(colour, *numerics);
         samples.colour[i] = pack_half4(vec4(colour, depth));
         if constexpr (kLightBuffer) {
-            samples.base[i] = pack_half4(vec4(base, 0.0F));
+            samples.base[i] = pack_half4(vec4(representable(base), 0.0F));
             samples.diffuse[i] = pack_half4(vec4(diffuse, 0.0F));
             samples.light[i] = pack_half4(light);
         }

@@ -11,7 +11,7 @@ inline std::size_t pixel_count(const EyeView& view) {
     return static_cast<std::size_t>(view.width_px) * static_cast<std::size_t>(view.height_px);
 }
 
-/// Float copy of an image kept as halves, one colour in every `stride` words.
-Image image_of(View<const Half4> halves, std::size_t stride, const TileGrid& grid);
+/// Float copy of an image kept as halves.
+Image image_of(View<const Half4> halves, const TileGrid& grid);
 
 }  // namespace foverig

@@ -62,7 +62,11 @@ FrameStats FullRenderer::render(const FrameInput& input) {
 
 Image FullRenderer::image(int eye) const {
     const Eye& e = eyes_.at(static_cast<std::size_t>(eye));
-    return image_of(e.image.view(), 1, e.grid);
+    return image_of(e.image.view(), e.grid);
+}
+
+View<const Half4> FullRenderer::pixels(int eye) const {
+    return eyes_.at(static_cast<std::size_t>(eye)).image.view();
 }
 
 }  // namespace foverig

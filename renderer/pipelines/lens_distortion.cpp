@@ -5,68 +5,79 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "renderer/check.h"
-#include "renderer/kernels/lens_distortion.h"
 #include "renderer/task_order.h"
 
 namespace foverig {
 namespace {
 
-std::vector<float> planes_of(const std::vector<ColourSources>& table) {
-    std::vector<float> planes(6 * table.size());
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            planes[(2 * c) * table.size() + i] = table[i][c].x;
-            planes[(2 * c + 1) * table.size() + i] = table[i][c].y;
-        }
-    }
-    return planes;
+/// Texel and share of the next one; the image's very edge is inside and held.
+void split(float at_px, int size_px, int& texel, std::uint16_t& share) {
+    const float centre = clamp_to(at_px - 0.5F, 0.0F, static_cast<float>(size_px - 1));
+    texel = std::min(static_cast<int>(centre), size_px - 2);
+    share =
+        static_cast<std::uint16_t>(std::lround((centre - static_cast<float>(texel)) * kLensShare));
+}
+
+LensSource source_at(const vec2& at_px, const PixelSize& eye) {
+    const bool inside = at_px.x >= 0.0F && at_px.x <= static_cast<float>(eye.width_px) &&
+                        at_px.y >= 0.0F && at_px.y <= static_cast<float>(eye.height_px);
+    LensSource source;
+    if (!inside) return source;  // so is NaN
+    int x = 0;
+    int y = 0;
+    split(at_px.x, eye.width_px, x, source.right);
+    split(at_px.y, eye.height_px, y, source.lower);
+    source.texel = y * eye.width_px + x;
+    return source;
 }
 
 }  // namespace
 
-LensDistortion::LensDistortion(int width_px, int height_px,
+LensDistortion::LensDistortion(const PixelSize& share, const PixelSize& eye,
                                std::span<const std::vector<ColourSources>> tables, int threads)
-    : width_px_(width_px),
-      height_px_(height_px),
+    : share_(share),
+      eye_(eye),
       arena_(std::make_unique<tbb::task_arena>(threads > 0 ? threads
                                                            : tbb::info::default_concurrency())) {
-    const std::size_t pixels =
-        static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
+    RIG_CHECK(eye.width_px >= 2 && eye.height_px >= 2, "an eye's image of {}x{} has four texels",
+              eye.width_px, eye.height_px);
     for (const auto& table : tables) {
-        RIG_CHECK(table.size() == pixels, "a table has an entry for each of its {} pixels", pixels);
-        sources_px_.push_back(planes_of(table));
+        RIG_CHECK(table.size() == share.count(), "a table has an entry for each of its {} pixels",
+                  share.count());
+        auto& sources = sources_.emplace_back();
+        sources.reserve(3 * table.size());
+        for (const ColourSources& colours : table)
+            for (const vec2& at_px : colours) sources.push_back(source_at(at_px, eye));
     }
 }
 
-void LensDistortion::apply(std::span<const Image> eyes, Image& panel) const {
-    RIG_CHECK(eyes.size() == sources_px_.size(), "there is a table for each of {} eyes",
-              eyes.size());
-    panel.width_px = width_px_ * static_cast<int>(eyes.size());
-    panel.height_px = height_px_;
-    panel.pixels.resize(static_cast<std::size_t>(panel.width_px) *
-                        static_cast<std::size_t>(panel.height_px));
-    const std::size_t plane =
-        static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_);
+void LensDistortion::apply(std::span<const View<const Half4>> eyes, Image& panel) const {
+    RIG_CHECK(eyes.size() == sources_.size(), "there is a table for each of {} eyes", eyes.size());
+    for (const View<const Half4>& eye : eyes)
+        RIG_CHECK(eye.empty() || eye.size == eye_.count(), "an eye's image has {} pixels",
+                  eye_.count());
+    panel.width_px = share_.width_px * static_cast<int>(eyes.size());
+    panel.height_px = share_.height_px;
+    panel.pixels.resize(share_.count() * eyes.size());
     const auto draw = [&](std::size_t eye, int y) {
-        const Image& image = eyes[eye];
-        vec3* const share = panel.pixels.data() + eye * static_cast<std::size_t>(width_px_);
-        if (image.pixels.empty()) {
+        vec3* const share = panel.pixels.data() + eye * static_cast<std::size_t>(share_.width_px);
+        if (eyes[eye].empty()) {
             std::fill_n(
                 share + static_cast<std::size_t>(y) * static_cast<std::size_t>(panel.width_px),
-                width_px_, vec3(0.0F));
+                share_.width_px, vec3(0.0F));
             return;
         }
-        const DistortRow row{
-            sources_px_[eye].data(), plane,           width_px_, image.pixels.data(),
-            image.width_px,          image.height_px, share,     panel.width_px};
+        const DistortRow row{sources_[eye].data(), share_.width_px, eyes[eye].data,
+                             eye_.width_px,        share,           panel.width_px};
         row(y);
     };
     constexpr int kRowsATask = 16;
     task_order::before_loop();
     arena_->execute([&] {
-        tbb::parallel_for(tbb::blocked_range<int>(0, height_px_, kRowsATask),
+        tbb::parallel_for(tbb::blocked_range<int>(0, share_.height_px, kRowsATask),
                           [&](const tbb::blocked_range<int>& rows) {
                               task_order::task_begins();
                               for (std::size_t eye = 0; eye < eyes.size(); ++eye)
@@ -75,12 +86,6 @@ void LensDistortion::apply(std::span<const Image> eyes, Image& panel) const {
                           });
     });
     task_order::after_loop();
-}
-
-Image LensDistortion::apply(std::span<const Image> eyes) const {
-    Image panel;
-    apply(eyes, panel);
-    return panel;
 }
 
 }  // namespace foverig

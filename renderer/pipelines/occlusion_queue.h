@@ -33,7 +33,6 @@ class OcclusionQueue {
     Part sparse() const { return part(dense_, count_ - dense_); }
 
     /// Samples of a sparse surface that share a packet: two groups of eight make a run of sixteen.
-    static constexpr int kSparseSamples = 1;
 
   private:
     Part part(int first, int n) const;

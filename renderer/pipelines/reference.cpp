@@ -58,6 +58,7 @@ void ReferenceRenderer::start_again(const FrameInput& input) {
             half = Buffer<dvec3>(core_.memory().base(), pixel_count(view));
         eye.squares =
             Buffer<dvec2>(core_.memory().base(), static_cast<std::size_t>(eye.grid.count()));
+        eye.shown = Buffer<Half4>(core_.memory().base(), pixel_count(view));
     }
 }
 
@@ -109,6 +110,19 @@ void ReferenceRenderer::measure(Eye& eye) {
     });
 }
 
+vec3 ReferenceRenderer::mean(const Eye& eye, std::size_t pixel) const {
+    return vec3((eye.halves[0][pixel] + eye.halves[1][pixel]) / std::max(1.0, 1.0 * samples_));
+}
+
+void ReferenceRenderer::show(Eye& eye) {
+    core_.backend().launch("show_mean", eye.grid.height_px, [&](int y) {
+        const auto width = static_cast<std::size_t>(eye.grid.width_px);
+        const std::size_t first = static_cast<std::size_t>(y) * width;
+        for (std::size_t i = first; i < first + width; ++i)
+            eye.shown[i] = pack_half4(vec4(representable(mean(eye, i)), 0.0F));
+    });
+}
+
 FrameStats ReferenceRenderer::render(const FrameInput& input) {
     core_.begin_frame(input);
     if (eyes_.empty() || !same_sight(input, shown_)) start_again(input);
@@ -120,6 +134,7 @@ FrameStats ReferenceRenderer::render(const FrameInput& input) {
                  std::clamp(core_.settings().reference.samples, 1, kMostSamples) - samples_);
     for (std::size_t i = 0; i < eyes_.size(); ++i) add_samples(eyes_[i], input.eyes[i].view, count);
     samples_ += count;
+    for (Eye& eye : eyes_) show(eye);
     if (samples_ < 2) return core_.end_frame(all_pixels);
     dvec2 sum(0.0);
     for (Eye& eye : eyes_) {
@@ -135,10 +150,12 @@ Image ReferenceRenderer::image(int eye) const {
     const Eye& e = eyes_.at(static_cast<std::size_t>(eye));
     Image image{e.grid.width_px, e.grid.height_px, {}};
     image.pixels.resize(e.halves[0].size());
-    const double scale = 1.0 / std::max(1, samples_);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        image.pixels[i] = vec3((e.halves[0][i] + e.halves[1][i]) * scale);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = mean(e, i);
     return image;
+}
+
+View<const Half4> ReferenceRenderer::pixels(int eye) const {
+    return eyes_.at(static_cast<std::size_t>(eye)).shown.view();
 }
 
 }  // namespace foverig

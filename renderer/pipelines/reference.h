@@ -21,6 +21,7 @@ class ReferenceRenderer final : public Renderer {
     std::string backend_name() const override { return core_.backend_name(); }
     std::uint64_t backend_bytes() const override { return core_.bytes(); }
     Image image(int eye) const override;
+    View<const Half4> pixels(int eye) const override;
     Mask sampling_mask(int) const override { return {}; }
     Mask resampling_mask(int) const override { return {}; }
     /// RMS over pixels, channels and eyes of half the difference of the two halves' means, over the
@@ -33,11 +34,14 @@ class ReferenceRenderer final : public Renderer {
         TileGrid grid;
         Buffer<dvec3> halves[2];
         Buffer<dvec2> squares;  ///< by tile: of the halved difference, of the mean
+        Buffer<Half4> shown;    ///< the mean, as displays want it
     };
 
     void start_again(const FrameInput& input);
     void add_samples(Eye& eye, const EyeView& view, int count);
     void measure(Eye& eye);
+    vec3 mean(const Eye& eye, std::size_t pixel) const;
+    void show(Eye& eye);
     bool done() const;
 
     PipelineCore core_;

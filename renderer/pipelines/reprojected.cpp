@@ -193,7 +193,11 @@ FrameStats ReprojectedRenderer::render(const FrameInput& input) {
 
 Image ReprojectedRenderer::image(int eye) const {
     const ReprojectedEye& e = *eyes_.at(static_cast<std::size_t>(eye));
-    return image_of(e.image(), 1, e.grid);
+    return image_of(e.image(), e.grid);
+}
+
+View<const Half4> ReprojectedRenderer::pixels(int eye) const {
+    return eyes_.at(static_cast<std::size_t>(eye))->image();
 }
 
 Mask ReprojectedRenderer::sampling_mask(int eye) const {

@@ -17,6 +17,7 @@ class ReprojectedRenderer final : public Renderer {
     std::string backend_name() const override { return core_.backend_name(); }
     std::uint64_t backend_bytes() const override { return core_.bytes(); }
     Image image(int eye) const override;
+    View<const Half4> pixels(int eye) const override;
     Mask sampling_mask(int eye) const override;
     Mask resampling_mask(int eye) const override;
 

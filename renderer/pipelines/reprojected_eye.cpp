@@ -22,7 +22,8 @@ int support_pixel(int i, int count, int size_px) {
 }
 
 void fill_axis(int count, int size_px, Buffer<std::int16_t>& index_of,
-               Buffer<std::int16_t>& cell_of, Buffer<float>& source_px) {
+               Buffer<std::int16_t>& cell_of, Buffer<std::int16_t>& cell_from_px,
+               Buffer<float>& source_px) {
     std::fill_n(index_of.data(), index_of.size(), std::int16_t{-1});
     for (int i = 0; i < count; ++i) {
         const int pixel = support_pixel(i, count, size_px);
@@ -32,8 +33,12 @@ void fill_axis(int count, int size_px, Buffer<std::int16_t>& index_of,
     // The outermost vertices move out to the image's edge, so that a still eye covers every pixel.
     source_px[0] = 0.0F;
     source_px[static_cast<std::size_t>(count - 1)] = static_cast<float>(size_px);
-    for (int p = 0; p < size_px; ++p)
-        cell_of[static_cast<std::size_t>(p)] = static_cast<std::int16_t>(p * count / size_px);
+    cell_from_px[static_cast<std::size_t>(count)] = static_cast<std::int16_t>(size_px);
+    for (int p = size_px - 1; p >= 0; --p) {
+        const int cell = p * count / size_px;
+        cell_of[static_cast<std::size_t>(p)] = static_cast<std::int16_t>(cell);
+        cell_from_px[static_cast<std::size_t>(cell)] = static_cast<std::int16_t>(p);
+    }
 }
 
 }  // namespace
@@ -58,10 +63,14 @@ ReprojectedEye::ReprojectedEye(EffectMemory& effect_memory, const EffectPlan& pl
     support_row = {memory, height};
     coarse_column = {memory, width};
     coarse_row = {memory, height};
+    coarse_column_from_px = {memory, columns + 1};
+    coarse_row_from_px = {memory, rows + 1};
     source_x_px = {memory, columns + kBlockCells};
     source_y_px = {memory, rows};
-    fill_axis(coarse_grid.width_px, grid.width_px, support_column, coarse_column, source_x_px);
-    fill_axis(coarse_grid.height_px, grid.height_px, support_row, coarse_row, source_y_px);
+    fill_axis(coarse_grid.width_px, grid.width_px, support_column, coarse_column,
+              coarse_column_from_px, source_x_px);
+    fill_axis(coarse_grid.height_px, grid.height_px, support_row, coarse_row, coarse_row_from_px,
+              source_y_px);
     const std::size_t vertices = cells + kBlockCells;  // the last vector reads past the last row
     vertex_x_px = {memory, vertices};
     vertex_y_px = {memory, vertices};
@@ -130,8 +139,13 @@ CoarseView ReprojectedEye::coarse() {
 }
 
 CoarseLookup ReprojectedEye::resampled() const {
-    return {has_history ? coarse_marked_.data() : nullptr, coarse_column.data(), coarse_row.data(),
-            coarse_grid.width_px};
+    return {has_history ? coarse_marked_.data() : nullptr,
+            coarse_column.data(),
+            coarse_row.data(),
+            coarse_column_from_px.data(),
+            coarse_row_from_px.data(),
+            coarse_grid.width_px,
+            coarse_grid.height_px};
 }
 
 SupportLookup ReprojectedEye::support_lookup() {

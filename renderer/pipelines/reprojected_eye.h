@@ -45,6 +45,8 @@ class ReprojectedEye {
     Buffer<std::int16_t> support_row;
     Buffer<std::int16_t> coarse_column;  ///< by pixel column: the coarse cell over it
     Buffer<std::int16_t> coarse_row;
+    Buffer<std::int16_t> coarse_column_from_px;  ///< by cell column: its first pixel, and the end
+    Buffer<std::int16_t> coarse_row_from_px;
     Buffer<float> source_x_px;  ///< image position of each mesh column
     Buffer<float> source_y_px;
     Buffer<float> vertex_x_px;

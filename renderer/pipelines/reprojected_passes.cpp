@@ -1,5 +1,6 @@
 // The passes of `reprojected` that trace nothing: mesh, coarse view, combination, post-process.
 #include <algorithm>
+#include <cmath>
 
 #include "renderer/kernels/cache_update.h"
 #include "renderer/kernels/mesh_facing.h"
@@ -163,13 +164,19 @@ void ReprojectedRenderer::combine_tiles(ReprojectedEye& eye, std::uint32_t frame
 
 void ReprojectedRenderer::post_process(ReprojectedEye& eye, std::uint32_t frame_seed) {
     const ReprojectionSettings& s = core_.settings().reprojection;
+    const LightingSettings& lighting = core_.settings().lighting;
+    const auto noise_of = [](int samples) {
+        return 0.5F / std::sqrt(static_cast<float>(std::max(1, samples)));
+    };
     core_.backend().for_tiles(eye.grid.count(), [&](Lane& lane, int, int tile) {
         const auto run = [&]<bool kOcclusion>() {
             lane.launch(
                 "post_process", eye.sample_counts[static_cast<std::size_t>(tile)],
-                PostProcess<kOcclusion>{eye.samples(tile), eye.current(), eye.resampled(),
-                                        core_.scene().ambient, s.post_samples, s.post_search_px,
-                                        frame_seed, eye.grid.width_px, eye.grid.height_px});
+                PostProcess<kOcclusion>{
+                    eye.samples(tile), eye.current(), eye.resampled(), eye.coarse().inverse_depth,
+                    static_cast<float>(s.epsilon_cache), noise_of(lighting.area_samples),
+                    noise_of(lighting.ao_samples), core_.scene().ambient, s.post_samples,
+                    s.post_search_px, frame_seed, eye.grid.width_px, eye.grid.height_px});
         };
         if (core_.plan().on(Effect::ambient_occlusion))
             run.operator()<true>();

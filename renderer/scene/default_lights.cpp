@@ -9,10 +9,6 @@ namespace {
 /// Radiance that surfaces of the scene's average colour shall have at the light's typical distance.
 inline constexpr float kRadiance = 0.45F;
 
-float luminance(const vec3& c) {
-    return glm::dot(c, vec3(0.2126F, 0.7152F, 0.0722F));
-}
-
 /// What a material reflects on average: its colour times the coarsest texel.
 float albedo_of(const Scene& scene, const Material& material) {
     const float factor = luminance(material.diffuse);

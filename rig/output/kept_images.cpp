@@ -55,8 +55,9 @@ void KeptImages::keep(const FrameInput& input, const Renderer& renderer) {
     frames_.push_back(std::move(frame));
 }
 
-void KeptImages::compare_with(Renderer& full) {
+void KeptImages::compare_with(Renderer& full, const std::function<bool()>& stop_requested) {
     for (Frame& frame : frames_) {
+        if (stop_requested()) return;
         full.render(frame.input);
         for (std::size_t eye = 0; eye < frame.eyes.size(); ++eye) {
             const Image truth = full.image(static_cast<int>(eye));
@@ -65,6 +66,12 @@ void KeptImages::compare_with(Renderer& full) {
             images.mean_absolute_error = mean_absolute_error(images.final, truth);
         }
     }
+}
+
+std::vector<std::int64_t> KeptImages::missed() const {
+    std::vector<std::int64_t> missed = settings_.frames;
+    for (const Frame& frame : frames_) std::erase(missed, std::int64_t{frame.input.frame});
+    return missed;
 }
 
 nlohmann::json KeptImages::write(const std::filesystem::path& folder, const LensPass* lens) const {

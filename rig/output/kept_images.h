@@ -1,7 +1,9 @@
 #pragma once
 // Images of chosen frames: copied while the run goes on, judged and written once it is over, so
 // that neither is on any frame's time.
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -22,13 +24,15 @@ class KeptImages {
     /// Keeps the last frame after all, where a run ended before any was kept.
     void run_done(const FrameInput& last, const Renderer& renderer);
 
-    /// Compares every kept frame with `full` rendered from the same input, if any was kept.
-    void compare_with(Renderer& full);
+    /// Compares kept frames with `full` rendered from the same input, until asked to stop.
+    void compare_with(Renderer& full, const std::function<bool()>& stop_requested);
 
     /// Writes images/*.png below `folder`, the panel's picture too where there is a lens pass;
     /// returns the summary's list [{frame, eye, kind, file, mean_absolute_error}].
     nlohmann::json write(const std::filesystem::path& folder, const LensPass* lens) const;
 
+    /// Frames that the scenario asks for and the run never came to.
+    std::vector<std::int64_t> missed() const;
     bool empty() const { return frames_.empty(); }
 
   private:

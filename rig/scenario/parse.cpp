@@ -60,10 +60,29 @@ void apply_leaf(Scenario& scenario, const Leaf& leaf, const std::string& where) 
     }
 }
 
+void apply_leaves(Scenario& scenario, const toml::table& table, const std::string& name) {
+    std::vector<Leaf> leaves;
+    collect_leaves(table, "", leaves);
+    order_leaves(leaves);
+    for (const Leaf& leaf : leaves) {
+        apply_leaf(scenario, leaf, fmt::format("{}:{}", name, leaf.value->source().begin.line));
+    }
+}
+
 bool is_builtin_scene(const std::string& name) {
     const auto scenes = builtin_scenes();
     return std::any_of(scenes.begin(), scenes.end(),
                        [&](const BuiltinInfo& scene) { return scene.name == name; });
+}
+
+/// A relative scene that `file` named is taken from its folder.
+void find_scene_beside(const std::filesystem::path& file, const std::string& scene_before,
+                       Scenario& scenario) {
+    const std::filesystem::path scene = scenario.scene;
+    if (scenario.scene != scene_before && !is_builtin_scene(scenario.scene) &&
+        scene.is_relative()) {
+        scenario.scene = (file.parent_path() / scene).lexically_normal().string();
+    }
 }
 
 std::string read_text(const std::filesystem::path& file) {
@@ -87,23 +106,20 @@ void apply_toml(Scenario& scenario, std::string_view text, const std::string& na
         throw UsageError(fmt::format("{}:{}: not valid TOML: {}", name, error.source().begin.line,
                                      error.description()));
     }
-    std::vector<Leaf> leaves;
-    collect_leaves(table, "", leaves);
-    order_leaves(leaves);
-    for (const Leaf& leaf : leaves) {
-        apply_leaf(scenario, leaf, fmt::format("{}:{}", name, leaf.value->source().begin.line));
-    }
+    apply_leaves(scenario, table, name);
+}
+
+void apply_table(Scenario& scenario, const toml::table& table, const std::filesystem::path& file) {
+    const std::string scene_before = scenario.scene;
+    apply_leaves(scenario, table, file.string());
+    find_scene_beside(file, scene_before, scenario);
 }
 
 Scenario read_scenario(const std::filesystem::path& file) {
     Scenario scenario;
     const std::string default_scene = scenario.scene;
     apply_toml(scenario, read_text(file), file.string());
-    const std::filesystem::path scene = scenario.scene;
-    if (scenario.scene != default_scene && !is_builtin_scene(scenario.scene) &&
-        scene.is_relative()) {
-        scenario.scene = (file.parent_path() / scene).lexically_normal().string();
-    }
+    find_scene_beside(file, default_scene, scenario);
     return scenario;
 }
 
@@ -144,11 +160,12 @@ void complete_scenario(Scenario& scenario) {
             foveation.r1_deg, foveation.r0_deg));
     }
     const auto& reprojection = scenario.render.reprojection;
-    if (reprojection.k_max < reprojection.k_min) {
-        throw UsageError(fmt::format(
-            "reprojection.k_max is {} and reprojection.k_min is {}; expected k_max >= k_min",
-            reprojection.k_max, reprojection.k_min));
-    }
+    for (const auto& [name, k] : {std::pair{"k_min", reprojection.k_min},
+                                  std::pair{"k_min_light", reprojection.k_min_light}})
+        if (reprojection.k_max < k)
+            throw UsageError(fmt::format(
+                "reprojection.k_max is {} and reprojection.{} is {}; expected k_max >= {}",
+                reprojection.k_max, name, k, name));
     if (scenario.clock == "wall" && scenario.cost != "measured") {
         throw UsageError(fmt::format(
             "cost is {} and clock is wall; a fixed cost needs clock = lockstep", scenario.cost));

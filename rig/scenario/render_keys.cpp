@@ -84,18 +84,22 @@ void add_reference_keys(std::vector<Key>& keys) {
 
 void add_effect_keys(std::vector<Key>& keys) {
     for (const std::string& effect : effect_names()) {
+        const std::string cause(follows_from(effect));
         keys.push_back(
             {.name = "effects." + effect,
              .type = KeyType::text,
-             .expected = "auto or off",
-             .help = "auto: on where the scene and the settings call for it",
+             .expected = cause.empty() ? "auto or off" : "auto",
+             .help = cause.empty() ? "auto: on where the scene and the settings call for it"
+                                   : "follows from " + cause,
              .get =
                  [effect](const Scenario& s) {
                      const auto found = s.render.effects.find(effect);
                      return KeyValue(found == s.render.effects.end() ? "auto" : found->second);
                  },
-             .set = [effect](Scenario& s, const KeyValue& v) -> std::optional<std::string> {
+             .set = [effect, cause](Scenario& s, const KeyValue& v) -> std::optional<std::string> {
                  const auto& value = std::get<std::string>(v);
+                 if (!cause.empty() && value != "auto")
+                     return "auto, since it follows from " + cause + "; change that";
                  if (value != "auto" && value != "off") return "auto or off";
                  s.render.effects[effect] = value;
                  return std::nullopt;

@@ -45,16 +45,16 @@ void add_reprojection_keys(std::vector<Key>& keys) {
         "depth difference of cache and sample, share of depth: drop the cache",
         [](auto& s) -> auto& { return s.render.reprojection.epsilon_cache; });
     number(
-        "k_min", {0.0, 1.0}, "weight of a new sample when the old one is a frame old",
+        "k_min", {1.0e-6, 1.0}, "weight of a new sample when the old one is a frame old",
         [](auto& s) -> auto& { return s.render.reprojection.k_min; });
     number(
-        "k_max", {0.0, 1.0}, "weight of a new sample when the old one is t_max frames old",
+        "k_max", {1.0e-6, 1.0}, "weight of a new sample when the old one is t_max frames old",
         [](auto& s) -> auto& { return s.render.reprojection.k_max; });
     integer(
         "t_max", "frames", {1, 100'000}, "age at which the weight reaches k_max",
         [](auto& s) -> auto& { return s.render.reprojection.t_max; });
     number(
-        "k_min_light", {0.0, 1.0}, "k_min of the light buffer",
+        "k_min_light", {1.0e-6, 1.0}, "k_min of the light buffer",
         [](auto& s) -> auto& { return s.render.reprojection.k_min_light; });
     integer(
         "footprint_samples", "", {1, 8}, "taps of the reprojected pixel's footprint",

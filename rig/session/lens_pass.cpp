@@ -1,5 +1,7 @@
 #include "rig/session/lens_pass.h"
 
+#include <utility>
+
 #include "devices/display/dk2_optics.h"
 
 namespace foverig {
@@ -34,18 +36,30 @@ std::vector<std::vector<ColourSources>> tables_of(const DisplaySettings& display
 }  // namespace
 
 LensPass::LensPass(const Scenario& scenario)
-    : distortion_(Dk2Optics::kEyePanel.width, Dk2Optics::kEyePanel.height,
+    : distortion_({Dk2Optics::kEyePanel.width, Dk2Optics::kEyePanel.height},
+                  {scenario.display.eye_width_px, scenario.display.eye_height_px},
                   tables_of(scenario.display), scenario.render.threads),
       eyes_(static_cast<std::size_t>(scenario.display.eyes)) {}
 
 std::vector<PassTime> LensPass::run(const Renderer& renderer) {
     const HostTime begin = clock_.now();
-    for (std::size_t eye = 0; eye < eyes_.size(); ++eye) {
-        eyes_[eye] = renderer.image(static_cast<int>(eye));
-    }
-    const HostTime read = clock_.now();
+    for (std::size_t eye = 0; eye < eyes_.size(); ++eye)
+        eyes_[eye] = renderer.pixels(static_cast<int>(eye));
     distortion_.apply(eyes_, panel_);
-    return {{"read_image", to_ms(read - begin)}, {"lens_distortion", to_ms(clock_.now() - read)}};
+    return {{"lens_distortion", to_ms(clock_.now() - begin)}};
+}
+
+Image LensPass::picture(std::span<const Image> eyes) const {
+    std::vector<std::vector<Half4>> halves;
+    std::vector<View<const Half4>> views;
+    for (const Image& eye : eyes) {
+        auto& packed = halves.emplace_back();
+        for (const vec3& pixel : eye.pixels) packed.push_back(pack_half4(vec4(pixel, 0.0F)));
+        views.push_back(view_of(std::as_const(packed)));
+    }
+    Image panel;
+    distortion_.apply(views, panel);
+    return panel;
 }
 
 }  // namespace foverig

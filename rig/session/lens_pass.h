@@ -19,12 +19,12 @@ class LensPass {
     std::vector<PassTime> run(const Renderer& renderer);
 
     /// The same for images that were kept: landscape, 960x1080 for each eye, the left one first.
-    Image picture(std::span<const Image> eyes) const { return distortion_.apply(eyes); }
+    Image picture(std::span<const Image> eyes) const;
 
   private:
     WallClock clock_;
     LensDistortion distortion_;
-    std::vector<Image> eyes_;
+    std::vector<View<const Half4>> eyes_;
     Image panel_;
 };
 

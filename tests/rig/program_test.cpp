@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -70,28 +72,56 @@ TEST_F(ProgramTest, ExitsWithFourOnADeviceThatIsNotThere) {
     EXPECT_EQ(foverig({"plan", "--scene", "cornell", "--devices", "hardware", "--no-run"}).code, 0);
 }
 
+/// Ctrl-C once the program listens (before, it must not be hit) and `ready`.
+class Impatient {
+  public:
+    explicit Impatient(std::function<bool()> ready)
+        : thread_([this, ready = std::move(ready)] {
+              while (!done_) {
+                  struct sigaction now {};
+                  sigaction(SIGINT, nullptr, &now);
+                  if (now.sa_handler != SIG_DFL && ready()) {
+                      std::raise(SIGINT);
+                      return;
+                  }
+                  std::this_thread::sleep_for(std::chrono::milliseconds(1));
+              }
+          }) {}
+    ~Impatient() {
+        done_ = true;
+        thread_.join();
+    }
+
+  private:
+    std::atomic<bool> done_ = false;
+    std::thread thread_;
+};
+
 TEST_F(ProgramTest, EndsCleanlyOnCtrlC) {
-    std::atomic<bool> done = false;
-    // Ctrl-C again and again until the program has heard it; before it listens, it must not be hit.
-    std::thread impatient([&] {
-        while (!done && !fs::exists(root_)) std::this_thread::yield();
-        while (!done) {
-            struct sigaction now {};
-            sigaction(SIGINT, nullptr, &now);
-            if (now.sa_handler != SIG_DFL) {
-                std::raise(SIGINT);
-                return;
-            }
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-    });
-    const Outcome run = small_run("run", {"--frames", "100000", "--set", "images.frames=[]"});
-    done = true;
-    impatient.join();
+    const auto frames_were_recorded = [&] {
+        std::error_code gone;
+        for (const auto& entry : fs::recursive_directory_iterator(root_, gone))
+            if (entry.path().filename() == "session.mcap" && entry.file_size(gone) > 100'000)
+                return true;
+        return false;
+    };
+    const Impatient impatient(frames_were_recorded);
+    const Outcome run = small_run("run", {"--frames", "100000", "--set", "images.frames=[]",
+                                          "--set", "recording.enabled=true"});
     EXPECT_EQ(run.code, 0) << run.err;
     const auto s = nlohmann::json::parse(text_of(root_ / "run/summary.json"));
     EXPECT_EQ(s["interrupted"], true);
+    EXPECT_GT(s["frames"]["rendered"], 0);
     EXPECT_LT(s["frames"]["rendered"], 100000);
+}
+
+TEST_F(ProgramTest, LeavesNothingBehindWhenInterruptedWhileLoading) {
+    const Impatient impatient([] { return true; });
+    const Outcome run = small_run("run", {"--scene", "city", "--frames", "100000"});
+    if (run.code == 0) GTEST_SKIP() << "the scene was loaded before Ctrl-C came";
+    EXPECT_EQ(run.code, 130) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("interrupted while loading"));
+    EXPECT_TRUE(fs::is_empty(root_));
 }
 
 TEST_F(ProgramTest, ExplainsItself) {

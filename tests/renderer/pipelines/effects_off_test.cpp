@@ -44,6 +44,11 @@ Outcome run(const std::shared_ptr<const Scene>& scene, const RenderSettings& set
     return r;
 }
 
+const std::set<std::string> kPlainPasses{
+    "trace_primary", "give_slots",    "shade_surface", "compose",        "select_pixels",
+    "queue_pixels",  "store_samples", "show_mean",     "estimate_error", "gather_misses",
+    "leave_vertex",  "trace_bounce",  "begin_paths",   "accumulate"};
+
 class EffectsOff : public testing::TestWithParam<const char*> {};
 
 TEST_P(EffectsOff, LaunchNothing) {
@@ -76,7 +81,33 @@ TEST_P(EffectsOff, EveryPassOfThePlanIsLaunchedAndNoneThatIsOff) {
             for (const std::string& pass : e.passes)
                 EXPECT_EQ(launched.count(pass), 1U) << e.name << ' ' << pass;
             EXPECT_EQ(e.measured_ms >= 0.0, !e.passes.empty()) << e.name;
+            for (const std::string& pass : e.passes) launched.erase(pass);
         }
+        // What is left belongs to the pipeline, whatever the scene calls for.
+        for (const std::string& pass : launched) EXPECT_EQ(kPlainPasses.count(pass), 1U) << pass;
+    }
+}
+
+TEST_P(EffectsOff, AnyOneOffLeavesTheRestWhole) {
+    for (const std::string& effect : effect_names()) {
+        if (!follows_from(effect).empty()) continue;
+        RenderSettings settings = settings_of(GetParam());
+        settings.lighting.ao_samples = 2;
+        settings.reprojection.oversampling = true;
+        settings.effects[effect] = "off";
+        const Outcome outcome = run(room(true, true), settings);
+        vec3 sum(0.0F);
+        for (const vec3& p : outcome.image.pixels) sum += p;
+        EXPECT_TRUE(std::isfinite(sum.x + sum.y + sum.z)) << effect;
+        EXPECT_GT(sum.x, 0.0F) << effect;
+    }
+}
+
+TEST_P(EffectsOff, WhatFollowsFromOthersCannotBeTurnedOffAlone) {
+    for (const char* effect : {"light_buffer", "reprojection", "nonsense"}) {
+        RenderSettings settings = settings_of(GetParam());
+        settings.effects[effect] = "off";
+        EXPECT_THROW(make_renderer(room(true, true), settings), std::invalid_argument) << effect;
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // A renderer that traces nothing: what the frame loop does must not depend on what a frame shows.
+#include <array>
 #include <vector>
 
 #include "renderer/renderer.h"
@@ -26,6 +27,7 @@ class FakeRenderer final : public Renderer {
         const float grey = 0.25F * static_cast<float>(eye + 1);
         return {2, 2, std::vector<vec3>(4, vec3(grey))};
     }
+    View<const Half4> pixels(int) const override { return {pixels_.data(), pixels_.size()}; }
     Mask sampling_mask(int) const override { return {2, 2, {1, 0, 0, 1}}; }
     Mask resampling_mask(int) const override { return {}; }
 
@@ -33,6 +35,7 @@ class FakeRenderer final : public Renderer {
 
   private:
     EffectPlan plan_;
+    std::array<Half4, 4> pixels_{};
 };
 
 }  // namespace foverig
