@@ -18,14 +18,22 @@ namespace {
 
 inline constexpr std::size_t kMostNotes = 20;
 
+/// mesh.glb.zst is mesh.glb: read_file unpacks it.
+std::filesystem::path unpacked_name(std::filesystem::path file) {
+    if (file.extension() == ".zst") file.replace_extension();
+    return file;
+}
+
 ImportedScene read_by_suffix(const ImportContext& context) {
-    std::string suffix = context.file.extension().string();
+    std::string suffix = unpacked_name(context.file).extension().string();
     std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (suffix == ".obj") return scene_import::import_obj(context);
     if (suffix == ".gltf" || suffix == ".glb") return scene_import::import_gltf(context);
     if (suffix == ".ply") return scene_import::import_ply(context);
-    fail(context.file, "has the suffix '{}'; expected .obj, .gltf, .glb or .ply", suffix);
+    fail(context.file,
+         "has the suffix '{}'; expected .obj, .gltf, .glb or .ply, or one of them with .zst",
+         suffix);
 }
 
 Scene import_checked(const ImportContext& context) {
@@ -35,7 +43,7 @@ Scene import_checked(const ImportContext& context) {
     ImportedScene imported = read_by_suffix(context);
     scene_import::flatten(imported, context);
     Scene scene = std::move(imported.scene);
-    scene.name = context.file.stem().string();
+    scene.name = unpacked_name(context.file).stem().string();
     update_bounds(scene);
     scene_import::add_default_view(scene);
     // Thousands of missing materials are one finding, not thousands.

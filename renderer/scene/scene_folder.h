@@ -6,7 +6,8 @@
 
 namespace foverig::scene_import {
 
-/// Bytes of a whole regular file. Throws SceneError, also where it holds more than `max_bytes`.
+/// Bytes of a whole regular file, unpacked where they are zstd. Throws SceneError, also where the
+/// file holds more than `max_bytes`.
 std::string read_file(const std::filesystem::path& file,
                       std::uint64_t max_bytes = std::uint64_t{1} << 33U);
 
