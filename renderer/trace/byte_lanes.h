@@ -4,6 +4,10 @@
 
 #include "renderer/lanes.h"
 
+#if defined(__AVX2__) && !defined(__CUDACC__)
+#include <immintrin.h>
+#endif
+
 namespace foverig {
 
 #if defined(__CUDACC__)
@@ -31,12 +35,8 @@ RIG_INLINE std::uint32_t union_of(LaneInts v) {
 
 RIG_INLINE LaneInts load_byte_lanes(const std::uint8_t* p) {
 #if defined(__AVX2__)
-    using Bytes = char __attribute__((vector_size(16)));
-    using Words = long long __attribute__((vector_size(16)));
-    Words words{};
-    std::memcpy(&words[0], p, kLanes);
-    return reinterpret_cast<LaneInts>(
-        __builtin_ia32_pmovzxbd256(reinterpret_cast<Bytes>(words)));  // one instruction
+    const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
+    return LaneInts(_mm256_cvtepu8_epi32(bytes));  // one instruction
 #else
     using Bytes = std::uint8_t __attribute__((vector_size(8)));
     Bytes bytes;
@@ -62,8 +62,8 @@ RIG_INLINE std::uint32_t union_of(LaneInts v) {
     std::memcpy(&low, &v, sizeof low);
     std::memcpy(&high, reinterpret_cast<const char*>(&v) + sizeof low, sizeof high);
     low |= high;
-    low |= __builtin_shuffle(low, Four{2, 3, 0, 1});
-    low |= __builtin_shuffle(low, Four{1, 0, 3, 2});
+    low |= __builtin_shufflevector(low, low, 2, 3, 0, 1);
+    low |= __builtin_shufflevector(low, low, 1, 0, 3, 2);
     return static_cast<std::uint32_t>(low[0]);
 }
 

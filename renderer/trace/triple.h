@@ -62,10 +62,10 @@ RIG_INLINE Triple load_triple(const float* row) {
     return *reinterpret_cast<const Triple*>(row);
 }
 RIG_INLINE Triple next_corner(Triple v) {
-    return __builtin_shuffle(v, TripleInts{1, 2, 0, 3});
+    return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
 RIG_INLINE Triple previous_corner(Triple v) {
-    return __builtin_shuffle(v, TripleInts{2, 0, 1, 3});
+    return __builtin_shufflevector(v, v, 2, 0, 1, 3);
 }
 RIG_INLINE Triple fused(float scale, Triple a, Triple b) {
     Triple r;
