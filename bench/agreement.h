@@ -45,6 +45,11 @@ class ExactHit {
         t = glm::dot(normal, corner_[0] - o_) / slope;
         flatness = glm::length(normal) / std::abs(slope);
         span = std::abs(slope);
+        slip = std::max(1.0, flatness * glm::length(d_));
+        double longest_m = 0.0;
+        for (std::size_t i = 0; i < 3; ++i)
+            longest_m = std::max(longest_m, glm::length(corner_[(i + 1) % 3] - corner_[i]));
+        height_m = glm::length(normal) / longest_m;
         const dvec3 p = o_ + t * d_;
         const double twice_area = glm::dot(normal, normal);
         u = glm::dot(glm::cross(corner_[2] - corner_[0], corner_[0] - p), normal) / twice_area;
@@ -74,6 +79,8 @@ class ExactHit {
     double t;
     double flatness;  ///< a move of the plane by x moves t by flatness * x
     double span;      ///< twice the area as the ray sees it, times the ray's length
+    double slip;      ///< ... and the point along the triangle by slip * x
+    double height_m;  ///< least of the three
     double u;
     double v;
     double reach_m = 0.0;  ///< largest coordinate difference of ray origin and corner
@@ -84,11 +91,15 @@ class ExactHit {
     std::array<dvec3, 3> corner_;
 };
 
-/// Whether rounding of the weights could turn a texel into its neighbour.
-inline bool on_texel_border(const SceneView& scene, std::uint32_t triangle, const ExactHit& hit) {
+/// Rounding of either tracer: 2^-20 of the distances involved, as renderer/trace/slab_frame.h.
+inline constexpr double kRounding = 9.5367431640625e-7;
+
+/// Whether rounding of the hit point could turn a texel into its neighbour.
+inline bool on_texel_border(const SceneView& scene, std::uint32_t triangle, const ExactHit& hit,
+                            double rounding = kRounding) {
     const Material& material = scene.materials[scene.triangle_materials[triangle]];
     if (material.alpha_cutoff <= 0.0F || scene.texcoords.empty()) return false;
-    const double spread = 1.0e-6 * std::max(1.0, hit.flatness);
+    const double spread = rounding * hit.reach_m * hit.slip / hit.height_m;
     bool any_hole = false;
     bool any_solid = false;
     for (const double du : {-spread, 0.0, spread}) {
@@ -111,9 +122,7 @@ inline bool meets_matter(const SceneView& scene, std::uint32_t triangle, const E
     return inside && !hole;
 }
 
-/// Rounding of either tracer: 2^-20 of the distances involved, as renderer/trace/slab_frame.h.
 inline Verdict compare(const SceneView& scene, const Ray& ray, const Hit& embree, const Hit& ours) {
-    constexpr double kRounding = 9.5367431640625e-7;
     const auto rounding_t = [&](const ExactHit& h) { return kRounding * h.reach_m * h.flatness; };
     if (embree.triangle == ours.triangle) {
         if (ours.missed() || ulps_between(embree.t, ours.t) <= 4) return Verdict::same;
@@ -141,9 +150,12 @@ inline Verdict compare(const SceneView& scene, const Ray& ray, const Hit& embree
         rounding_t(exact))
         return Verdict::range;
     if (on_texel_border(scene, nearer.triangle, exact)) return Verdict::texel;
-    // Embree has no weights of triangles below 1e-18, and rounds edges of flat ones by more.
-    const bool peer_rounds =
-        exact.span < 1.0e-18 || exact.edge_distance_m() <= 4.0 * kRounding * exact.reach_m;
+    // Embree has no weights of triangles below 1e-18, and rounds weights and edges of flat ones by
+    // more.
+    constexpr double kPeerRounding = 4.0 * kRounding;
+    const bool peer_rounds = exact.span < 1.0e-18 ||
+                             exact.edge_distance_m() <= kPeerRounding * exact.reach_m ||
+                             on_texel_border(scene, nearer.triangle, exact, kPeerRounding);
     if (peer_rounds && ours_nearer == meets_matter(scene, nearer.triangle, exact))
         return Verdict::peer;
     return Verdict::wrong;

@@ -30,9 +30,31 @@ HostBvhScene our_scene(const Scene& scene) {
         scene, {true, {}, [](auto triangles) { return embree::build_with_splits(triangles, 0); }});
 }
 
-Verdicts compare_rays(const embree::EmbreeScene& embree, const HostBvhScene& ours,
-                      const Scene& scene, RayKind kind, std::uint32_t rays) {
-    Verdicts sum{};
+/// For whoever looks into a disagreement: the ray by its kind and number, and both answers.
+std::string sentence(RayKind kind, std::uint32_t i, const Hit& embree, const Hit& ours,
+                     bool occluded, const SceneView& scene, const Ray& ray) {
+    const auto told = [&](const Hit& hit) {
+        if (hit.missed()) return std::string("a miss");
+        const ExactHit exact(scene, ray, hit.triangle);
+        return fmt::format(
+            "triangle {} at {:.9g} (exactly {:.17g}, u {:.3g}, v {:.3g}, {:.3g} m "
+            "from an edge, flatness {:.3g}, reach {:.3g} m)",
+            hit.triangle, hit.t, exact.t, exact.u, exact.v, exact.edge_distance_m(), exact.flatness,
+            exact.reach_m);
+    };
+    return fmt::format("{} ray {}: Embree says {}, host-bvh {}, occluded {}", name_of(kind), i,
+                       told(embree), told(ours), occluded);
+}
+
+struct Agreement {
+    Verdicts verdicts{};
+    std::vector<std::string> wrong;  ///< the first few
+};
+constexpr std::size_t kMostSentences = 8;
+
+Agreement compare_rays(const embree::EmbreeScene& embree, const HostBvhScene& ours,
+                       const Scene& scene, RayKind kind, std::uint32_t rays) {
+    Agreement sum;
     std::mutex mutex;
     const RayMaker make_ray(scene);
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, rays, 4096), [&](const auto& range) {
@@ -41,19 +63,28 @@ Verdicts compare_rays(const embree::EmbreeScene& embree, const HostBvhScene& our
         for (std::uint32_t i = range.begin(); i < range.end(); ++i) {
             const Ray ray = make_ray(kind, i);
             const Hit hit = ours.closest(ray);
-            const Verdict verdict = compare(embree.view(), ray, peer.closest(ray), hit);
-            const bool both = ours.occluded(ray) == !hit.missed();
-            ++mine[static_cast<std::size_t>(both ? verdict : Verdict::wrong)];
+            const Hit peers = peer.closest(ray);
+            const bool occluded = ours.occluded(ray);
+            const Verdict verdict = occluded == !hit.missed()
+                                        ? compare(embree.view(), ray, peers, hit)
+                                        : Verdict::wrong;
+            ++mine[static_cast<std::size_t>(verdict)];
+            if (verdict != Verdict::wrong) continue;
+            const std::lock_guard lock(mutex);
+            if (sum.wrong.size() < kMostSentences)
+                sum.wrong.push_back(sentence(kind, i, peers, hit, occluded, embree.view(), ray));
         }
         const std::lock_guard lock(mutex);
-        for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += mine[v];
+        for (std::size_t v = 0; v < mine.size(); ++v) sum.verdicts[v] += mine[v];
     });
     return sum;
 }
 
-Json json_of(const Verdicts& verdicts) {
+Json json_of(const Agreement& agreement) {
     Json row = Json::object();
-    for (std::size_t v = 0; v < verdicts.size(); ++v) row[kVerdictNames[v]] = verdicts[v];
+    for (std::size_t v = 0; v < kVerdictNames.size(); ++v)
+        row[kVerdictNames[v]] = agreement.verdicts[v];
+    if (!agreement.wrong.empty()) row["wrong_rays"] = agreement.wrong;
     return row;
 }
 
@@ -61,9 +92,9 @@ Json json_of(const Verdicts& verdicts) {
 Json compare_all(const Scene& scene, const embree::EmbreeScene& embree, const HostBvhScene& ours,
                  std::uint32_t rays, std::uint64_t& wrong) {
     Json rows = Json::object();
-    const auto add = [&](const std::string& name, const Verdicts& verdicts) {
-        rows[name] = json_of(verdicts);
-        wrong += verdicts[static_cast<std::size_t>(Verdict::wrong)];
+    const auto add = [&](const std::string& name, const Agreement& agreement) {
+        rows[name] = json_of(agreement);
+        wrong += agreement.verdicts[static_cast<std::size_t>(Verdict::wrong)];
     };
     const std::uint32_t of_each = rays / (kRayKinds.size() + kScales.size());
     for (const RayKind kind : kRayKinds)

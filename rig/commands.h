@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "rig/compare/times.h"
 #include "rig/diff_metrics.h"
 #include "rig/failure.h"
 #include "rig/records/fail_if.h"
 #include "rig/scenario/scenario.h"
+#include "rig/sweep/jobs.h"
 
 namespace foverig {
 
@@ -41,7 +43,8 @@ struct PlanRequest {
 };
 ExitCode plan_command(const PlanRequest& request);
 
-/// Makes report.html of each run folder again, from its records alone.
+/// Makes report.html of each run folder again, from its records alone; of a sweep's folder
+/// pareto.json and pareto.html.
 ExitCode report_command(const std::vector<std::filesystem::path>& runs);
 
 struct DiffRequest {
@@ -51,6 +54,23 @@ struct DiffRequest {
     bool json = false;                             ///< last line of stdout: all of it
 };
 ExitCode diff_command(const DiffRequest& request);
+
+struct CompareRequest {
+    std::vector<std::filesystem::path> base, fresh;  ///< run folders, or folders of them
+    compare::TimeSettings times;
+    std::vector<std::string> allowed;  ///< keys that may differ
+    bool json = false;                 ///< last line of stdout: all of it
+};
+ExitCode compare_command(const CompareRequest& request);
+
+struct SweepRequest {
+    std::filesystem::path file;
+    std::optional<std::filesystem::path> out;  ///< none: runs/NAME
+    sweep::Shard shard;
+    bool json = false;  ///< last line of stdout: pareto.json
+};
+/// Measures what is not measured yet; makes the result once nothing is missing.
+ExitCode sweep_command(const SweepRequest& request);
 
 ExitCode scenes_command();
 ExitCode devices_command();

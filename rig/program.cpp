@@ -7,10 +7,12 @@
 #include "renderer/check.h"
 #include "renderer/scene/error.h"
 #include "rig/commands.h"
+#include "rig/compare_options.h"
 #include "rig/diff_options.h"
 #include "rig/identity/build_info.h"
 #include "rig/scenario/write.h"
 #include "rig/scenario_options.h"
+#include "rig/sweep_options.h"
 
 namespace foverig {
 namespace {
@@ -126,10 +128,15 @@ void add_plan(CLI::App& app, PlanOptions& options) {
 }
 
 void add_report(CLI::App& app, std::vector<std::string>& runs) {
-    CLI::App& report =
-        *app.add_subcommand("report", "make report.html of run folders again, from their records");
-    report.add_option("runs", runs, "run folders")->type_name("RUN...")->required();
-    report.footer("Example:\n  foverig report runs/001 runs/002");
+    CLI::App& report = *app.add_subcommand(
+        "report", "make reports of run folders and sweeps again, from their records");
+    report.add_option("runs", runs, "run folders, or folders of sweeps")
+        ->type_name("RUN...")
+        ->required();
+    report.footer(
+        "Examples:\n"
+        "  foverig report runs/001 runs/002\n"
+        "  foverig report runs/example      merges the shards of a sweep");
 }
 
 std::vector<FailIf> parsed(const std::vector<std::string>& texts) {
@@ -189,6 +196,8 @@ ExitCode dispatch(int argc, const char* const* argv) {
     RecoverOptions recover_options;
     PlanOptions plan_options;
     DiffOptions diff_options;
+    CompareOptions compare_options;
+    SweepOptions sweep_options;
     std::vector<std::string> reports;
     add_run(app, run_options);
     add_record(app, record_options);
@@ -197,6 +206,8 @@ ExitCode dispatch(int argc, const char* const* argv) {
     add_plan(app, plan_options);
     add_report(app, reports);
     diff_options.add_to(app);
+    compare_options.add_to(app);
+    sweep_options.add_to(app);
     app.add_subcommand("scenes", "what there is to look at");
     app.add_subcommand("devices", "simulated devices, motions and faults");
     app.add_subcommand("doctor", "what works on this machine, and what to do");
@@ -222,6 +233,8 @@ ExitCode dispatch(int argc, const char* const* argv) {
     }
     if (app.got_subcommand("report")) return report_command({reports.begin(), reports.end()});
     if (app.got_subcommand("diff")) return diff_command(diff_options.request());
+    if (app.got_subcommand("compare")) return compare_command(compare_options.request());
+    if (app.got_subcommand("sweep")) return sweep_command(sweep_options.request());
     if (app.got_subcommand("scenes")) return scenes_command();
     if (app.got_subcommand("devices")) return devices_command();
     if (app.got_subcommand("doctor")) return doctor_command();

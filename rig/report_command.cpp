@@ -3,13 +3,18 @@
 #include "rig/commands.h"
 #include "rig/output/run_folder.h"
 #include "rig/report/page.h"
+#include "rig/sweep/folder_result.h"
+#include "rig/sweep/merged.h"
 
 namespace foverig {
 
 ExitCode report_command(const std::vector<std::filesystem::path>& runs) {
     for (const auto& run : runs) {
-        const auto file = run / "report.html";
-        replace_text(file, report::page(report::read_run(run)));
+        auto file = run / "report.html";
+        if (sweep::is_sweep(run))
+            file = sweep::write_result(run);
+        else
+            replace_text(file, report::page(report::read_run(run)));
         fmt::print("report: {}\n", std::filesystem::absolute(file).lexically_normal().string());
     }
     return ExitCode::good;

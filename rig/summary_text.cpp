@@ -19,6 +19,23 @@ std::string megabytes(const json& bytes) {
     return count == 0.0 ? "none of its own" : fmt::format("{:.3g} MB", count * 1e-6);
 }
 
+std::string percentile(const json& p) {
+    if (p["value"].is_number()) {
+        return fmt::format("{} [{}, {}]", number(p["value"]), number(p["ci95"][0]),
+                           number(p["ci95"][1], " ms"));
+    }
+    return fmt::format("n too small ({} independent frames of {})", number(p["effective_n"]),
+                       number(p["needed_n"]));
+}
+
+/// Beyond the warm-up, with 95 % intervals.
+std::string steady(const json& s) {
+    std::string text = fmt::format("p50 {}  p99 {}", percentile(s["p50"]), percentile(s["p99"]));
+    if (const auto cold = s["warm_up_frames"].get<std::size_t>(); cold > 0)
+        text += fmt::format("; without the first {}, which are warm-up", cold);
+    return text;
+}
+
 std::string spread(const json& d, const char* unit) {
     if (!d.is_object()) return "not measured";
     return fmt::format("p50 {}  p99 {}  max {}", number(d["p50"], unit), number(d["p99"], unit),
@@ -37,11 +54,20 @@ std::string summary_text(const json& s) {
                         number(frames["dropped"]),
                         s["interrupted"].get<bool>() ? " (ended early)" : "");
     text += fmt::format("frame time        {}\n", spread(s["frame_time_ms"], " ms"));
+    if (const json& times = s.value("steady_frame_time_ms", json()); times.is_object())
+        text += fmt::format("steady            {}\n", steady(times));
     text += fmt::format("vsync             {} of {} missed at {}, budget {}\n",
                         number(vsync["missed"]), number(vsync["total"]),
                         number(vsync["rate_hz"], " Hz"), number(vsync["budget_ms"], " ms"));
     text += fmt::format("motion to photon  {}\n", spread(latency["motion_to_photon"], " ms"));
     text += fmt::format("gaze to photon    {}\n", spread(latency["gaze_to_photon"], " ms"));
+    const json tracking = s.value("tracking", json::object());
+    const auto stale_pose = tracking.value("pose_stale_frames", 0U);
+    const auto stale_gaze = tracking.value("gaze_stale_frames", 0U);
+    if (stale_pose + stale_gaze > 0)
+        text += fmt::format(
+            "tracking lost     head pose stale in {} frames, gaze in {}: the last ones stood\n",
+            stale_pose, stale_gaze);
     const json& ratio = s["sampled_pixel_ratio"];
     text +=
         fmt::format("traced pixels     {} of all\n",

@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include "renderer/counts.h"
 #include "renderer/half.h"
 #include "renderer/kernels/light_rays.h"
@@ -12,7 +14,8 @@ RIG_INLINE vec3 lit(const vec3& diffuse, const vec3& irradiance, float occlusion
 }
 
 RIG_INLINE bool is_finite(const vec3& c) {
-    return c - c == vec3(0.0F);
+    constexpr float most = std::numeric_limits<float>::max();
+    return fabsf(c.x) <= most && fabsf(c.y) <= most && fabsf(c.z) <= most;
 }
 
 /// NaN and infinity are counted and shown black, a colour too bright for a half is counted and
@@ -23,7 +26,7 @@ RIG_INLINE vec3 checked(const vec3& c, NumericCounts& counts) {
         count_one(counts.clamped);
         return representable(c);
     }
-    if (c == c)
+    if (fabsf(c.x) + fabsf(c.y) + fabsf(c.z) > 0.0F)  // false for NaN
         count_one(counts.inf);
     else
         count_one(counts.nan);

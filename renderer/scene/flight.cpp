@@ -79,14 +79,16 @@ Ways ways_from(const Occupancy& grid, const Walk& walk, std::uint32_t start) {
         open.pop();
         if (so_far > length[at]) continue;
         ways.furthest = at;
-        for_neighbours(grid, walk, at, [&](std::uint32_t next, const ivec3& step) {
-            const auto clear = static_cast<float>(walk.clearance[next]);
-            const float total = so_far + glm::length(vec3(step)) * (1.0F + 4.0F / (clear * clear));
-            if (total >= length[next]) return;
-            length[next] = total;
-            ways.from[next] = at;
-            open.emplace(total, next);
-        });
+        for_neighbours(grid, walk, at,
+                       [&, so_far = so_far, at = at](std::uint32_t next, const ivec3& step) {
+                           const auto clear = static_cast<float>(walk.clearance[next]);
+                           const float total =
+                               so_far + glm::length(vec3(step)) * (1.0F + 4.0F / (clear * clear));
+                           if (total >= length[next]) return;
+                           length[next] = total;
+                           ways.from[next] = at;
+                           open.emplace(total, next);
+                       });
     }
     return ways;
 }

@@ -129,14 +129,15 @@ class Checker {
 
     void check_reference(const json& object, const char* key, const char* array,
                          const std::string& at) const {
-        if (object.contains(key)) check_index(object[key], array, at + "." + key);
+        if (object.contains(key)) check_index(object[key], array, fmt::format("{}.{}", at, key));
     }
 
     void check_indices(const json& object, const char* key, const char* array,
                        const std::string& at) const {
         if (!object.contains(key)) return;
         if (!object[key].is_array()) fail(context_.file, "{}.{} is no array", at, key);
-        for (const json& value : object[key]) check_index(value, array, at + "." + key);
+        for (const json& value : object[key])
+            check_index(value, array, fmt::format("{}.{}", at, key));
     }
 
     void check_numbers(const json& object, const char* key, std::size_t count,
@@ -183,7 +184,7 @@ class Checker {
             check_reference(primitive, "indices", "accessors", where);
             check_reference(primitive, "material", "materials", where);
             for (const auto& [name, index] : primitive["attributes"].items())
-                check_index(index, "accessors", where + "." + name);
+                check_index(index, "accessors", fmt::format("{}.{}", where, name));
         }
     }
 
@@ -210,7 +211,7 @@ class Checker {
             if (key.ends_with("Texture")) {
                 if (!value.is_object() || !value.contains("index"))
                     fail(context_.file, "{}.{} has no index", at, key);
-                check_reference(value, "index", "textures", at + "." + key);
+                check_reference(value, "index", "textures", fmt::format("{}.{}", at, key));
             }
     }
 

@@ -107,6 +107,13 @@ std::vector<Column> times_and_counts() {
         {"inf", "", "infinities that kernels met", [](F f) { return count(f.numerics.inf); }},
         {"clamped", "", "values that kernels clamped",
          [](F f) { return count(f.numerics.clamped); }},
+        {"pose_stale", "", "1: no inertial sample for 0.1 s: the last head pose stands",
+         [](F f) { return count(f.pose_stale); }},
+        {"gaze_held", "", "1: the newest gaze sample had nothing for an eye (blink, loss)",
+         [](F f) { return count(f.gaze_held); }},
+        {"gaze_stale", "", "1: nothing for 0.5 s: the last gaze stands, wherever the eye is",
+         [](F f) { return count(f.gaze_stale); }},
+        {"saccade", "", "1: an eye was in a saccade", [](F f) { return count(f.saccade); }},
         {"image_kept", "", "1: images of this frame are in images/",
          [](F f) { return count(f.image_kept); }},
     };

@@ -24,10 +24,6 @@ struct Distribution {
 /// No value for no numbers.
 std::optional<Distribution> distribution_of(std::vector<double> values);
 
-/// Rank l (from 1) of the interval [x_l, x_(n+1-l)] for the median of n numbers; 0 where none
-/// covers.
-std::uint64_t median_interval_rank(std::uint64_t n);
-
 /// The shape of DESIGN's summary; null for no value.
 nlohmann::json to_json(const std::optional<Distribution>& distribution);
 

@@ -49,7 +49,12 @@ struct FrameRecord {
     std::array<vec3, 2> gaze_direction{vec3(0.0F, 0.0F, -1.0F), vec3(0.0F, 0.0F, -1.0F)};
     std::optional<double> prediction_error_deg;  ///< of the head's pose at the photon; needs truth
     std::optional<double> gaze_error_deg;        ///< of the gaze used, at the photon; needs truth
-    bool image_kept = false;                     ///< work for images followed this frame
+    bool pose_stale = false;  ///< the newest inertial sample is too old to predict from
+    bool gaze_held =
+        false;  ///< the newest gaze sample had nothing for an eye: its last gaze stands
+    bool gaze_stale = false;  ///< ... and that is older than GazeFilterConfig::hold_limit
+    bool saccade = false;     ///< an eye was in a saccade
+    bool image_kept = false;  ///< work for images followed this frame
 
     bool dropped() const { return !shown_vsync.has_value(); }
     bool late() const { return !vsync || *vsync > aimed_vsync; }

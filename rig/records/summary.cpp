@@ -7,6 +7,7 @@
 #include "rig/records/columns.h"
 #include "rig/records/distribution.h"
 #include "rig/records/panel_record.h"
+#include "rig/records/steady_times.h"
 #include "rig/records/vsync_count.h"
 
 namespace foverig {
@@ -27,6 +28,14 @@ json spread(const std::vector<FrameRecord>& frames,
         if (const auto v = value(frame)) values.push_back(*v);
     }
     return to_json(distribution_of(std::move(values)));
+}
+
+/// Null where frames cost what the scenario says: there is nothing to estimate.
+json steady_json(const RunRecord& run) {
+    if (run.fixed_cost || run.frames.empty()) return nullptr;
+    std::vector<double> times_ms;
+    for (const FrameRecord& frame : run.frames) times_ms.push_back(frame_time_ms(frame));
+    return to_json(steady_times(times_ms));
 }
 
 /// Over the frames where the pass ran.
@@ -178,7 +187,13 @@ json summary_json(const RunRecord& run, const json& scenario, const BuildInfo& b
                          {"presented", count.presented},
                          {"dropped", count.dropped},
                          {"late", count.late}};
+    using F = const FrameRecord&;
+    summary["tracking"] = {
+        {"pose_stale_frames", sum(frames, [](F f) { return f.pose_stale ? 1U : 0U; })},
+        {"gaze_held_frames", sum(frames, [](F f) { return f.gaze_held ? 1U : 0U; })},
+        {"gaze_stale_frames", sum(frames, [](F f) { return f.gaze_stale ? 1U : 0U; })}};
     summary["frame_time_ms"] = spread(frames, frame_time_ms);
+    summary["steady_frame_time_ms"] = steady_json(run);
     summary["render_time_ms"] = spread(frames, [](const FrameRecord& f) { return f.render_ms; });
     summary["pass_time_ms"] = pass_times(frames);
     summary["rays"] = ray_means(frames);

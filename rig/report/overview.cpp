@@ -79,6 +79,17 @@ std::string tiles(const RunData& run) {
     return html + "</div>";
 }
 
+/// Frames that show where nobody looked.
+std::string lost_tracking(const RunData& run) {
+    const auto pose = run.number({"tracking", "pose_stale_frames"}).value_or(0.0);
+    const auto gaze = run.number({"tracking", "gaze_stale_frames"}).value_or(0.0);
+    if (pose + gaze == 0.0) return "";
+    return fmt::format(
+        "<p class=\"verdict bad\"><b>Tracking was lost</b>: the head pose was stale in {} frames, "
+        "the gaze in {}; the last ones stood.</p>",
+        count(pose), count(gaze));
+}
+
 }  // namespace
 
 std::string title(const RunData& run) {
@@ -98,7 +109,7 @@ std::string overview(const RunData& run) {
         escaped(run.text({"host", "cpu"})), count(run.number({"host", "cores"})),
         escaped(run.text({"host", "os"})), escaped(clock), escaped(run.text({"scenario", "cost"})),
         run.summary.value("interrupted", false) ? " · <b>ended early by Ctrl-C</b>" : "");
-    return html + verdict(run) + tiles(run);
+    return html + verdict(run) + lost_tracking(run) + tiles(run);
 }
 
 }  // namespace foverig::report

@@ -25,11 +25,6 @@ void GazeTracker::read_until(HostTime deadline) {
     }
 }
 
-std::array<dvec3, 2> GazeTracker::at(HostTime photon) const {
-    const FilteredGaze gaze = filter_.at(photon);
-    return {gaze.left.direction, gaze.right.direction};
-}
-
 DeviceRecord GazeTracker::record() const {
     return {"gaze", source_.counts(),
             sample_rate_hz(source_.counts().samples, first_, newest_any_)};

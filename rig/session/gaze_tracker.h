@@ -1,6 +1,5 @@
 #pragma once
 // From the gaze tracker's bytes to where each eye looks when the light comes.
-#include <array>
 #include <functional>
 #include <optional>
 
@@ -22,8 +21,8 @@ class GazeTracker {
     /// Takes all that arrived by `deadline`. A fault (unplugged) leaves the last gaze standing.
     void read_until(HostTime deadline);
 
-    /// Unit directions of the left and right eye in the head's frame, for light at `photon`.
-    std::array<dvec3, 2> at(HostTime photon) const;
+    /// Where the eyes look in the head's frame, for light at `photon`, and how sure that is.
+    FilteredGaze at(HostTime photon) const { return filter_.at(photon); }
     /// Newest sample in which an eye was seen.
     const std::optional<SampleInstants>& newest() const { return newest_; }
     const gaze::Info& info() const { return source_.info(); }

@@ -9,6 +9,10 @@ namespace {
 
 constexpr Nanoseconds kReadbackTail{60'000'000};  // read-backs come one or two VSyncs late
 
+/// A DK2 reports each millisecond: so many lost ones are a cable, not chance, and a prediction over
+/// them is a guess.
+constexpr Nanoseconds kPoseLimit{100'000'000};
+
 constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
 
 std::size_t eye_count(const Scenario& scenario) {
@@ -75,6 +79,7 @@ FrameInput Session::input_for(FrameRecord& frame, HostTime expected_vsync) {
     const PanelTiming& timing = world_->display().timing();
     frame.pose = devices_.head().newest();
     frame.gaze = devices_.gaze().newest();
+    frame.pose_stale = !frame.pose || expected_vsync - frame.pose->taken > kPoseLimit;
     const auto eyes = eye_count(scenario_);
     const HostTime first = timing.photon(expected_vsync, kEyes.front());
     frame.predicted_photon = mean_of(first, timing.photon(expected_vsync, kEyes[eyes - 1]));
@@ -86,7 +91,12 @@ FrameInput Session::input_for(FrameRecord& frame, HostTime expected_vsync) {
     for (std::size_t i = 0; i < eyes; ++i) {
         const HostTime photon = timing.photon(expected_vsync, kEyes[i]);
         poses_[i] = devices_.head().predict(photon);
-        input.eyes.push_back(views_.eye(kEyes[i], stand, poses_[i], devices_.gaze().at(photon)[i]));
+        const FilteredGaze gaze = devices_.gaze().at(photon);
+        const FilteredEye& eye = kEyes[i] == Eye::left ? gaze.left : gaze.right;
+        input.eyes.push_back(views_.eye(kEyes[i], stand, poses_[i], eye.direction));
+        frame.gaze_held |= eye.held;
+        frame.gaze_stale |= !eye.usable;
+        frame.saccade |= eye.saccade;
         frame.gaze_direction[i] = input.eyes[i].gaze;
     }
     const Pose middle = devices_.head().predict(frame.predicted_photon);

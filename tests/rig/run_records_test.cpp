@@ -108,6 +108,19 @@ TEST_F(RunRecords, KeepsThePromiseOfTheSummary) {
     EXPECT_EQ(s["frames"]["rendered"], 4);
 }
 
+TEST_F(RunRecords, EstimateTimesWhereTheyWereMeasured) {
+    ASSERT_EQ(small_run("fixed").code, 0);
+    const Outcome measured = small_run("measured", {"--cost", "measured", "--frames", "12"});
+    ASSERT_EQ(measured.code, 0);
+    const auto steady = [&](const char* run) {
+        return nlohmann::json::parse(text_of(root_ / run / "summary.json"))["steady_frame_time_ms"];
+    };
+    EXPECT_TRUE(steady("fixed").is_null());
+    EXPECT_EQ(steady("measured")["n"], 12);
+    EXPECT_TRUE(steady("measured")["p99"]["value"].is_null());
+    EXPECT_NE(measured.out.find("p99 n too small"), std::string::npos) << measured.out;
+}
+
 TEST_F(RunRecords, AccountForAllMemoryOfTheBackend) {
     ASSERT_EQ(small_run("run").code, 0);
     const auto s = nlohmann::json::parse(text_of(root_ / "run/summary.json"));

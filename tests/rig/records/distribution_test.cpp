@@ -65,18 +65,6 @@ TEST(Distribution, OfNineHundredNinetyNineNumbersHasItsMiddle) {
     EXPECT_EQ(d.max, 999.0);
 }
 
-// The usual table of confidence limits for the median (95 %).
-TEST(MedianInterval, MatchesTheTable) {
-    EXPECT_EQ(median_interval_rank(5), 0U);
-    EXPECT_EQ(median_interval_rank(6), 1U);
-    EXPECT_EQ(median_interval_rank(9), 2U);
-    EXPECT_EQ(median_interval_rank(10), 2U);
-    EXPECT_EQ(median_interval_rank(20), 6U);
-    EXPECT_EQ(median_interval_rank(25), 8U);
-    EXPECT_EQ(median_interval_rank(100), 40U);
-    EXPECT_EQ(median_interval_rank(10001), 4902U);
-}
-
 TEST(Distribution, KeepsSmallNumbersBesideLargeOnes) {
     EXPECT_DOUBLE_EQ(distribution_of({1e16, 1.0, -1e16})->mean, 1.0 / 3.0);
 }

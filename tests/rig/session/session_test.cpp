@@ -216,6 +216,36 @@ TEST(Session, GoesOnWhileAHeadsetIsUnplugged) {
     EXPECT_EQ(r.frames.size(), 80U);
     ASSERT_EQ(r.devices[0].name, "dk2");
     EXPECT_GT(r.devices[0].counts.reconnects, 0U);
+    // Stale from 0.1 s after the last sample until it is back: about 0.1 s of the 0.2 s, at 75 Hz.
+    const auto stale = std::count_if(r.frames.begin(), r.frames.end(),
+                                     [](const FrameRecord& f) { return f.pose_stale; });
+    EXPECT_NEAR(static_cast<double>(stale), 0.1 * 75.0, 2.5);
+    EXPECT_FALSE(r.frames.back().pose_stale);
+}
+
+TEST(Session, SaysWhereItWentOnWithAnOldGaze) {
+    Scenario s = scenario_of(10.0, 120);
+    s.faults.gaze.unplug_at = 0.7;
+    s.faults.gaze.unplug_for = 0.8;
+    const RunRecord r = run(s);
+    const auto stale = std::count_if(r.frames.begin(), r.frames.end(),
+                                     [](const FrameRecord& f) { return f.gaze_stale; });
+    // From a photon 0.5 s after the last sample (GazeFilterConfig::hold_limit) until the next one
+    // arrives; gaze to photon is some 0.06 s.
+    EXPECT_NEAR(static_cast<double>(stale), (0.3 + 0.06) * 75.0, 3.0);
+    EXPECT_FALSE(r.frames.front().gaze_stale);
+    EXPECT_FALSE(r.frames.back().gaze_stale);
+}
+
+TEST(Session, HoldsTheGazeOverABlink) {
+    Scenario s = scenario_of(10.0, 300);
+    s.motion.gaze = "scan";
+    s.faults.gaze.blink = 60.0;  // per minute
+    const RunRecord r = run(s);
+    const auto held = std::count_if(r.frames.begin(), r.frames.end(),
+                                    [](const FrameRecord& f) { return f.gaze_held; });
+    EXPECT_GT(held, 0);
+    EXPECT_LT(held, 200);
 }
 
 TEST(Session, CountsSamplesAtTheirRates) {

@@ -1,0 +1,57 @@
+#pragma once
+// What a sweep asks for: a base scenario, knobs, the points to try, how often and against what.
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rig/scenario/keys.h"
+
+namespace foverig::sweep {
+
+/// A scenario key and what it is set to: a list of values or, for a Latin hypercube, a range.
+struct Knob {
+    const Key* key = nullptr;
+    std::vector<KeyValue> values;  ///< empty: the range
+    double from = 0.0, to = 0.0;
+    bool logarithmic = false;  ///< equal ratios instead of equal steps
+};
+
+using Settings = std::vector<std::pair<std::string, KeyValue>>;
+
+struct Point {
+    Settings settings;  ///< every knob, in their order
+    Scenario scenario;  ///< base with these
+};
+
+enum class Order {
+    abba,   ///< forward, backward, forward, ...: a machine that drifts steadily harms no point
+    random  ///< shuffled anew for each repetition
+};
+
+struct Sweep {
+    std::string name;  ///< of the file, without .toml
+    Scenario base;     ///< the current default
+    RenderSettings reference;
+    std::vector<Knob> knobs;
+    std::vector<Point> points;
+    std::size_t default_point = 0;  ///< the one that is `base`
+    int repetitions = 3;            ///< runs of each point
+    Order order = Order::abba;
+    std::uint64_t seed = 1;          ///< of a random order and of a Latin hypercube
+    std::size_t warm_up_frames = 3;  ///< of every run: kept in the record, left out of the result
+    std::string error = "acuity";    ///< of error_names(): the vertical axis
+    std::vector<double> within;      ///< errors for which to name the cheapest setting
+
+    /// Frames cost what the scenario says: times are modelled and nothing depends on the machine.
+    bool fixed_cost() const { return base.cost != "measured"; }
+};
+
+/// The base with those settings. Throws UsageError where a value cannot be, or where they do not
+/// fit each other; the text begins with the settings.
+Scenario with_settings(const Scenario& base, const Settings& settings);
+
+/// "foveation.p_min = 0.05, lighting.ao_samples = 4".
+std::string text_of(const Settings& settings);
+
+}  // namespace foverig::sweep

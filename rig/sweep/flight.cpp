@@ -1,0 +1,106 @@
+#include "rig/sweep/flight.h"
+
+#include <fmt/format.h>
+
+#include "rig/session/session.h"
+#include "rig/text/digest.h"
+
+namespace foverig::sweep {
+namespace {
+
+constexpr double kShareOfVsync = 0.75;  // any cost below 1 makes every VSync
+
+/// Renders nothing: a session with it is its inputs alone.
+class NoRenderer final : public Renderer {
+  public:
+    FrameStats render(const FrameInput&) override { return {}; }
+    const EffectPlan& plan() const override { return plan_; }
+    std::string backend_name() const override { return "none"; }
+    std::uint64_t backend_bytes() const override { return 0; }
+    Image image(int) const override { return {}; }
+    View<const Half4> pixels(int) const override { return {}; }
+    Mask sampling_mask(int) const override { return {}; }
+    Mask resampling_mask(int) const override { return {}; }
+
+  private:
+    EffectPlan plan_;
+};
+
+/// Plain numbers without gaps between them.
+template <class T>
+void add(Digest& digest, const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    digest.add({reinterpret_cast<const char*>(&value), sizeof(T)});
+}
+
+template <class T>
+void add(Digest& digest, const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    add(digest, values.size());
+    digest.add({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+}
+
+}  // namespace
+
+std::vector<FrameInput> fly(const Scenario& scenario, const Scene& scene) {
+    Scenario paced = scenario;
+    paced.clock = "lockstep";
+    paced.cost = fmt::format("fixed:{}", kShareOfVsync * 1000.0 / scenario.display.rate_hz);
+    paced.display.pacing = "vsync";
+    NoRenderer renderer;
+    std::vector<FrameInput> flight;
+    SessionHooks hooks;
+    hooks.frame_done = [&](const FrameRecord&, const FrameInput& input, double) {
+        flight.push_back(input);
+        return false;
+    };
+    Session(paced, scene, renderer, nullptr).run(hooks);
+    return flight;
+}
+
+std::string digest_of(const std::vector<FrameInput>& flight) {
+    Digest digest;
+    for (const FrameInput& input : flight) {
+        add(digest, input.frame);
+        add(digest, input.time_s);
+        for (const EyeInput& eye : input.eyes) {
+            add(digest, eye.view);
+            add(digest, eye.gaze);
+        }
+    }
+    return digest.hex();
+}
+
+std::string digest_of(const Scene& scene) {
+    Digest digest;
+    add(digest, scene.origin_m);
+    add(digest, scene.positions_m);
+    add(digest, scene.normals);
+    add(digest, scene.texcoords);
+    add(digest, scene.triangles);
+    add(digest, scene.triangle_materials);
+    add(digest, scene.materials);
+    for (const Texture& texture : scene.textures) {  // field by field: it ends in a gap
+        add(digest, texture.width);
+        add(digest, texture.height);
+        add(digest, texture.level_count);
+        add(digest, texture.first_texel);
+        add(digest, texture.repeat_u);
+        add(digest, texture.repeat_v);
+    }
+    add(digest, scene.texels);
+    for (const Part& part : scene.parts) {
+        add(digest, part.first_triangle);
+        add(digest, part.triangle_count);
+        add(digest, part.alpha_masked);
+        add(digest, part.motion);
+    }
+    add(digest, scene.motions);
+    add(digest, scene.point_lights);
+    add(digest, scene.area_lights);
+    add(digest, scene.ambient);
+    add(digest, scene.background);
+    return digest.hex();
+}
+
+}  // namespace foverig::sweep

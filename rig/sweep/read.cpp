@@ -1,0 +1,147 @@
+#include "rig/sweep/read.h"
+
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "rig/failure.h"
+#include "rig/scenario/parse.h"
+#include "rig/scenario/toml_value.h"
+#include "rig/scenario/write.h"
+#include "rig/sweep/design.h"
+#include "rig/sweep/read_knobs.h"
+#include "rig/sweep/records.h"
+#include "rig/sweep/toml_reader.h"
+
+namespace foverig::sweep {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kMostPoints = 10'000;
+constexpr std::int64_t kMostRepetitions = 1000;
+
+std::vector<Settings> read_design(const fs::path& file, const toml::table* table,
+                                  const Sweep& sweep) {
+    const toml::table none;
+    const TomlReader reader(file, table != nullptr ? *table : none, {"kind", "points"});
+    const auto most = static_cast<std::int64_t>(kMostPoints);
+    if (reader.choice("kind", {"grid", "latin"}, "grid") == "latin") {
+        const auto count = reader.integer("points", 1, most, 0);
+        if (count == 0) refuse(file, *table, "a Latin hypercube needs points = N");
+        return latin_hypercube(sweep.knobs, static_cast<std::size_t>(count), sweep.seed);
+    }
+    double count = 1.0;
+    for (const Knob& knob : sweep.knobs) {
+        if (knob.values.empty())
+            throw UsageError(
+                fmt::format("{}: {} is a range, which only design.kind = \"latin\" takes; "
+                            "expected a list of values",
+                            file.string(), knob.key->name));
+        count *= static_cast<double>(knob.values.size());
+    }
+    if (count > static_cast<double>(kMostPoints))
+        throw UsageError(fmt::format("{}: the grid has {:.0f} points; expected at most {}",
+                                     file.string(), count, kMostPoints));
+    return grid(sweep.knobs);
+}
+
+/// The base first, unless the design meets it anyway.
+void add_points(Sweep& sweep, const std::vector<Settings>& design) {
+    Settings current;
+    for (const Knob& knob : sweep.knobs)
+        current.emplace_back(knob.key->name, knob.key->get(sweep.base));
+    const auto met = std::find(design.begin(), design.end(), current);
+    if (met == design.end()) sweep.points.push_back({current, sweep.base});
+    for (const Settings& settings : design)
+        sweep.points.push_back({settings, with_settings(sweep.base, settings)});
+    sweep.default_point = met == design.end() ? 0 : static_cast<std::size_t>(met - design.begin());
+}
+
+void check_base(const fs::path& file, const Sweep& sweep) {
+    if (sweep.base.frames <= static_cast<std::int64_t>(sweep.warm_up_frames))
+        throw UsageError(fmt::format(
+            "{}: scenario.frames is {} and warm_up_frames {}; expected frames beyond the warm-up",
+            file.string(), sweep.base.frames, sweep.warm_up_frames));
+    if (sweep.base.devices == "hardware" || sweep.base.clock == "wall")
+        throw UsageError(
+            fmt::format("{}: a sweep shows every point the same frames; expected devices = sim or "
+                        "replay:FILE and "
+                        "clock = lockstep",
+                        file.string()));
+}
+
+toml::table parsed(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (!stream || fs::is_directory(file) || (stream.peek() != EOF && !(text << stream.rdbuf())))
+        throw UsageError(fmt::format("{}: cannot be read; expected a sweep (sweeps/ has examples)",
+                                     file.string()));
+    try {
+        return toml::parse(text.str(), file.string());
+    } catch (const toml::parse_error& error) {
+        throw UsageError(fmt::format("{}:{}: not valid TOML: {}", file.string(),
+                                     error.source().begin.line, error.description()));
+    }
+}
+
+Scenario read_base(const fs::path& file, const toml::table& root, const TomlReader& reader) {
+    Scenario base;
+    if (const toml::node* node = root.get("base")) {
+        if (!node->is_string())
+            refuse(file, *node,
+                   fmt::format("base is {}; expected a scenario file", described(*node)));
+        base = read_scenario(file.parent_path() / node->as_string()->get());
+    }
+    if (const auto* table = reader.table("scenario")) apply_table(base, *table, file);
+    complete_scenario(base);
+    return base;
+}
+
+/// The base's settings but for the pipeline, and what the table says.
+RenderSettings read_reference(const fs::path& file, const toml::table* table,
+                              const Scenario& base) {
+    Scenario reference = base;
+    reference.render.pipeline = "full";
+    if (table == nullptr) return reference.render;
+    apply_table(reference, *table, file);
+    complete_scenario(reference);
+    if (reference.render.pipeline != "full" && reference.render.pipeline != "reference")
+        refuse(file, *table,
+               fmt::format("the reference's pipeline is {}; expected full or reference",
+                           reference.render.pipeline));
+    Scenario rest = reference;
+    rest.render = base.render;
+    if (scenario_toml(rest) != scenario_toml(base))
+        refuse(file, *table, "the reference may differ in keys of the renderer alone");
+    return reference.render;
+}
+
+}  // namespace
+
+Sweep read_sweep(const fs::path& file) {
+    const toml::table root = parsed(file);
+    const TomlReader reader(file, root,
+                            {"base", "scenario", "knobs", "design", "reference", "repetitions",
+                             "order", "seed", "warm_up_frames", "error", "within"});
+    Sweep sweep;
+    sweep.name = file.stem().string();
+    sweep.base = read_base(file, root, reader);
+    sweep.repetitions = static_cast<int>(reader.integer("repetitions", 1, kMostRepetitions, 3));
+    sweep.order =
+        reader.choice("order", {"abba", "random"}, "abba") == "abba" ? Order::abba : Order::random;
+    sweep.seed = static_cast<std::uint64_t>(reader.integer("seed", 0, 1'000'000'000, 1));
+    sweep.warm_up_frames =
+        static_cast<std::size_t>(reader.integer("warm_up_frames", 0, 1'000'000, 3));
+    sweep.error = reader.choice("error", error_names(), "acuity");
+    sweep.within = reader.numbers("within");
+    sweep.reference = read_reference(file, reader.table("reference"), sweep.base);
+    sweep.knobs = read_knobs(file, reader.table("knobs"));
+    check_base(file, sweep);
+    add_points(sweep, read_design(file, reader.table("design"), sweep));
+    return sweep;
+}
+
+}  // namespace foverig::sweep

@@ -1,0 +1,147 @@
+#include "rig/sweep/result.h"
+
+#include "rig/scenario/cost.h"
+#include "rig/sweep/front.h"
+#include "rig/sweep/point_result.h"
+
+namespace foverig::sweep {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct PointResult {
+    PointTimes times;
+    std::map<std::string, PointErrors> errors;
+    double budget_ms = 0.0;
+};
+
+Json to_json(const std::optional<stats::Interval>& interval) {
+    return interval ? Json{interval->low, interval->high} : Json(nullptr);
+}
+
+Json to_json(const stats::Percentile& p) {
+    Json json = {{"value", nullptr},
+                 {"ci95", nullptr},
+                 {"effective_n", p.effective_n},
+                 {"needed_n", p.needed_n}};
+    if (p.estimate) {
+        json["value"] = p.estimate->value;
+        json["ci95"] = to_json(p.estimate->ci95);
+    }
+    return json;
+}
+
+Json to_json(const PointTimes& times) {
+    Json json = {{"value", times.ms.value}, {"ci95", to_json(times.ms.ci95)},
+                 {"runs", times.runs_ms},   {"p50", nullptr},
+                 {"p90", nullptr},          {"p99", nullptr}};
+    constexpr const char* kNames[] = {"p50", "p90", "p99"};
+    for (std::size_t i = 0; i < times.percentiles.size(); ++i)
+        json[kNames[i]] = to_json(times.percentiles[i]);
+    return json;
+}
+
+Json to_json(const std::map<std::string, PointErrors>& errors) {
+    Json json = Json::object();
+    for (const auto& [name, error] : errors)
+        json[name] = {
+            {"mean", error.mean.value}, {"ci95", to_json(error.mean.ci95)}, {"max", error.worst}};
+    return json;
+}
+
+/// A VSync of this point, whose rate may be a knob.
+double budget_ms(const nlohmann::json& definition, const nlohmann::json& settings) {
+    const double base_hz = definition.at("scenario").at("display").at("rate_hz").get<double>();
+    return 1000.0 / settings.value("display.rate_hz", base_hz);
+}
+
+PointResult result_of(const Measured& measured, std::size_t point) {
+    const auto& definition = measured.definition;
+    const auto warm_up = definition.at("warm_up_frames").get<std::size_t>();
+    PointResult result;
+    result.budget_ms = budget_ms(definition, definition.at("points").at(point));
+    result.errors = errors_of(measured.accuracies.at(point), warm_up);
+    const auto cost = parse_cost(definition.at("scenario").at("cost").get<std::string>());
+    result.times = cost && cost->fixed_ms
+                       ? modelled_times(*cost->fixed_ms, result.budget_ms)
+                       : times_of(measured.times.at(point), warm_up, result.budget_ms);
+    return result;
+}
+
+Json point_json(const Measured& measured, std::size_t point, const PointResult& result) {
+    const Accuracy& accuracy = measured.accuracies.at(point);
+    return {
+        {"point", point},
+        {"settings", measured.definition.at("points").at(point)},
+        {"default", point == measured.definition.at("default_point").get<std::size_t>()},
+        {"on_front", false},
+        {"time_ms", to_json(result.times)},
+        {"error", to_json(result.errors)},
+        {"vsync", {{"budget_ms", result.budget_ms}, {"missed_ratio", result.times.missed_ratio}}},
+        {"pass_time_ms", result.times.pass_ms},
+        {"rays", accuracy.rays},
+        {"sampled_pixel_ratio", accuracy.sampled_pixel_ratio},
+        {"memory",
+         {{"backend_bytes", accuracy.backend_bytes ? Json(*accuracy.backend_bytes) : nullptr}}},
+        {"numerics", {{"nan", accuracy.nan}}}};
+}
+
+Json front_json(const std::vector<Place>& places, const std::vector<std::size_t>& front) {
+    Json json = Json::array();
+    for (std::size_t i = 0; i < front.size(); ++i) {
+        const Place& here = places[front[i]];
+        json.push_back({{"point", front[i]},
+                        {"time_ms", here.ms},
+                        {"error", here.error},
+                        {"to_next", nullptr}});
+        if (i + 1 == front.size()) break;
+        const Place& next = places[front[i + 1]];
+        const double ms = next.ms - here.ms;
+        const double error = next.error - here.error;
+        json.back()["to_next"] = {{"ms", ms}, {"error", error}, {"error_per_ms", error / ms}};
+    }
+    return json;
+}
+
+Json within_json(const std::vector<Place>& places, const std::vector<std::size_t>& front,
+                 const nlohmann::json& errors) {
+    Json json = Json::array();
+    for (const auto& error : errors) {
+        json.push_back({{"error", error}, {"point", nullptr}, {"time_ms", nullptr}});
+        if (const auto found = cheapest_within(places, front, error.get<double>())) {
+            json.back()["point"] = *found;
+            json.back()["time_ms"] = places[*found].ms;
+        }
+    }
+    return json;
+}
+
+}  // namespace
+
+Json pareto_json(const Measured& measured) {
+    const auto& definition = measured.definition;
+    const auto axis = definition.at("error").get<std::string>();
+    std::vector<Place> places;
+    Json points = Json::array();
+    for (std::size_t point = 0; point < measured.points(); ++point) {
+        const PointResult result = result_of(measured, point);
+        places.push_back({result.times.ms.value, result.errors.at(axis).mean.value});
+        points.push_back(point_json(measured, point, result));
+    }
+    const std::vector<std::size_t> front = front_of(places);
+    for (const std::size_t point : front) points[point]["on_front"] = true;
+    Json hosts = Json::array();
+    for (const auto& host : measured.hosts) hosts.push_back(Json(host));
+    return {{"schema", "foverig.pareto/1"},
+            {"sweep", definition},
+            {"build", measured.build},
+            {"hosts", std::move(hosts)},
+            {"modelled", definition.at("fixed_cost")},
+            {"error", axis},
+            {"budget_ms", budget_ms(definition, nlohmann::json::object())},
+            {"points", std::move(points)},
+            {"front", front_json(places, front)},
+            {"cheapest_within", within_json(places, front, definition.at("within"))}};
+}
+
+}  // namespace foverig::sweep

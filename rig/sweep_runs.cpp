@@ -1,0 +1,135 @@
+#include "rig/sweep_runs.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "devices/time.h"
+#include "rig/open_scene.h"
+#include "rig/scenario/write.h"
+#include "rig/sweep/flight.h"
+#include "rig/sweep/frame_errors.h"
+#include "rig/text/digest.h"
+
+namespace foverig {
+namespace {
+
+void add_rays(const RayCounts& rays, double share, std::map<std::string, double>& means) {
+    const auto add = [&](const char* kind, std::uint64_t count) {
+        means[kind] += share * static_cast<double>(count);
+    };
+    add("primary", rays.primary);
+    add("shadow", rays.shadow);
+    add("ao", rays.ao);
+    add("reflection", rays.reflection);
+    add("probe", rays.probe);
+    add("vpl", rays.vpl);
+    add("total", rays.total());
+}
+
+/// Means of the eyes, behind the frames before.
+void add_errors(const Renderer& renderer, const sweep::ReferenceImages& references,
+                const FrameInput& input, std::map<std::string, std::vector<double>>& errors) {
+    for (const std::string& name : sweep::error_names()) errors[name].push_back(0.0);
+    const double share = 1.0 / static_cast<double>(input.eyes.size());
+    for (std::size_t eye = 0; eye < input.eyes.size(); ++eye) {
+        const Image test = renderer.image(static_cast<int>(eye));
+        const auto of_eye = sweep::errors_of(references.image(input, eye), test, input.eyes[eye]);
+        for (const auto& [name, error] : of_eye) errors[name].back() += share * error;
+    }
+}
+
+}  // namespace
+
+SweepRuns::SweepRuns(const sweep::Sweep& sweep, const std::filesystem::path& folder,
+                     std::string program, Hooks hooks)
+    : sweep_(sweep), folder_(folder), program_(std::move(program)), hooks_(std::move(hooks)) {}
+
+const SweepRuns::Stage& SweepRuns::stage_of(const Scenario& scenario) {
+    Scenario shown = scenario;
+    shown.render = sweep_.base.render;
+    std::string key = scenario_json(shown).dump();
+    if (key == stage_.key) return stage_;
+    auto scene = open_scene(shown);
+    auto flight = sweep::fly(shown, *scene);
+    stage_ = {std::move(key), std::move(scene), std::move(flight)};
+    return stage_;
+}
+
+sweep::ReferenceImages SweepRuns::references_of(const Stage& stage) {
+    Scenario settings;
+    settings.render = sweep_.reference;
+    settings.render.threads = sweep_.base.render.threads;
+    const std::string key = Digest()
+                                .add(program_)
+                                .add(scenario_json(settings).dump())
+                                .add(sweep::digest_of(*stage.scene))
+                                .add(sweep::digest_of(stage.flight))
+                                .hex();
+    sweep::ReferenceImages references(folder_ / "reference", key);
+    if (references.exist()) return references;
+    const auto renderer = open_renderer(stage.scene, sweep_.reference);
+    references.render(*renderer, stage.flight, [&](std::size_t done) {
+        hooks_.note(fmt::format("reference: frame {} of {}", done, stage.flight.size()));
+        check_stop();
+    });
+    return references;
+}
+
+double SweepRuns::warm_frames(const Stage& stage) const {
+    return static_cast<double>(stage.flight.size() -
+                               std::min(stage.flight.size(), sweep_.warm_up_frames));
+}
+
+void SweepRuns::check_stop() const {
+    if (hooks_.stop_requested()) throw Stopped{};
+}
+
+sweep::Accuracy SweepRuns::accuracy(std::size_t point) {
+    const Scenario& scenario = sweep_.points[point].scenario;
+    const Stage& stage = stage_of(scenario);
+    const auto references = references_of(stage);
+    const auto renderer = open_renderer(stage.scene, scenario.render);
+    sweep::Accuracy accuracy;
+    accuracy.point = point;
+    std::uint64_t sampled = 0;
+    std::uint64_t all = 0;
+    for (std::size_t i = 0; i < stage.flight.size(); ++i) {
+        check_stop();
+        const FrameStats stats = renderer->render(stage.flight[i]);
+        add_errors(*renderer, references, stage.flight[i], accuracy.errors);
+        accuracy.nan += stats.numerics.nan;
+        if (!is_warm(i)) continue;
+        add_rays(stats.rays, 1.0 / warm_frames(stage), accuracy.rays);
+        sampled += stats.sampled_pixels;
+        all += stats.all_pixels;
+    }
+    accuracy.sampled_pixel_ratio = static_cast<double>(sampled) / static_cast<double>(all);
+    if (!sweep_.fixed_cost()) accuracy.backend_bytes = renderer->backend_bytes();
+    return accuracy;
+}
+
+sweep::Times SweepRuns::times(std::size_t point, int repetition) {
+    const Scenario& scenario = sweep_.points[point].scenario;
+    const Stage& stage = stage_of(scenario);
+    const auto renderer = open_renderer(stage.scene, scenario.render);
+    const auto lens = open_lens(scenario);
+    const WallClock stopwatch;
+    sweep::Times times;
+    times.point = point;
+    times.repetition = repetition;
+    for (std::size_t i = 0; i < stage.flight.size(); ++i) {
+        check_stop();
+        const HostTime begin = stopwatch.now();
+        FrameStats stats = renderer->render(stage.flight[i]);
+        if (lens)
+            for (PassTime& pass : lens->run(*renderer)) stats.passes.push_back(std::move(pass));
+        times.frame_ms.push_back(to_ms(stopwatch.now() - begin));
+        if (!is_warm(i)) continue;
+        for (const PassTime& pass : stats.passes)
+            times.pass_ms[pass.name] += pass.ms / warm_frames(stage);
+    }
+    return times;
+}
+
+}  // namespace foverig
