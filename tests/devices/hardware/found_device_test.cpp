@@ -24,7 +24,7 @@ TEST(UsbId, IsWrittenAsLsusbWritesIt) {
 
 /// umockdev cannot refuse an open, so that a plain file stands for the node.
 TEST(OpeningProblem, TellsForbiddenFromGone) {
-    const std::string node = testing::TempDir() + "foverig_node";
+    const std::string node = testing::TempDir() + "foverig_node_" + std::to_string(getpid());
     { std::ofstream(node) << "x"; }
     EXPECT_FALSE(opening_problem(node));
     ASSERT_EQ(::chmod(node.c_str(), 0), 0);

