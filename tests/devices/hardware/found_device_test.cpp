@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <sys/fsuid.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
