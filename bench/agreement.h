@@ -95,11 +95,10 @@ class ExactHit {
 inline constexpr double kRounding = 9.5367431640625e-7;
 
 /// Whether rounding of the hit point could turn a texel into its neighbour.
-inline bool on_texel_border(const SceneView& scene, std::uint32_t triangle, const ExactHit& hit,
-                            double rounding = kRounding) {
+inline bool on_texel_border(const SceneView& scene, std::uint32_t triangle, const ExactHit& hit) {
     const Material& material = scene.materials[scene.triangle_materials[triangle]];
     if (material.alpha_cutoff <= 0.0F || scene.texcoords.empty()) return false;
-    const double spread = rounding * hit.reach_m * hit.slip / hit.height_m;
+    const double spread = kRounding * hit.reach_m * hit.slip / hit.height_m;
     bool any_hole = false;
     bool any_solid = false;
     for (const double du : {-spread, 0.0, spread}) {
@@ -150,15 +149,13 @@ inline Verdict compare(const SceneView& scene, const Ray& ray, const Hit& embree
         rounding_t(exact))
         return Verdict::range;
     if (on_texel_border(scene, nearer.triangle, exact)) return Verdict::texel;
-    // Embree has no weights of triangles below 1e-18, and rounds weights and edges of flat ones by
-    // more.
-    constexpr double kPeerRounding = 4.0 * kRounding;
-    const bool peer_rounds = exact.span < 1.0e-18 ||
-                             exact.edge_distance_m() <= kPeerRounding * exact.reach_m ||
-                             on_texel_border(scene, nearer.triangle, exact, kPeerRounding);
-    if (peer_rounds && ours_nearer == meets_matter(scene, nearer.triangle, exact))
-        return Verdict::peer;
-    return Verdict::wrong;
+    // Beyond all that, double precision says who is right: Embree rounds weights of flat triangles
+    // by more, and has none of triangles below 1e-18.
+    const auto met = [&](const Hit& hit) {
+        return meets_matter(scene, hit.triangle, ExactHit(scene, ray, hit.triangle));
+    };
+    const bool right = met(nearer) == ours_nearer && (ours.missed() || met(ours));
+    return right ? Verdict::peer : Verdict::wrong;
 }
 
 }  // namespace foverig::bench
