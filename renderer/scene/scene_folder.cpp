@@ -25,7 +25,7 @@ std::string read_file(const fs::path& file, std::uint64_t max_bytes) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream.read(bytes.data(), static_cast<std::streamsize>(size)))
         fail(file, "cannot be read; check its permissions");
-    return is_zstd(bytes) ? unpack_zstd(bytes, file) : bytes;
+    return is_zstd(bytes) ? unpack_zstd(bytes, file, max_bytes) : bytes;
 }
 
 SceneFolder::SceneFolder(const fs::path& scene_file) {

@@ -7,7 +7,7 @@
 namespace foverig::scene_import {
 
 /// Bytes of a whole regular file, unpacked where they are zstd. Throws SceneError, also where the
-/// file holds more than `max_bytes`.
+/// file holds more than `max_bytes`, packed or not.
 std::string read_file(const std::filesystem::path& file,
                       std::uint64_t max_bytes = std::uint64_t{1} << 33U);
 

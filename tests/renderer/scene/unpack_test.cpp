@@ -27,7 +27,15 @@ TEST(Unpack, APackedSceneIsTheScene) {
 
 TEST(Unpack, FramesOneAfterTheOtherAreOneFile) {
     const std::string both = packed("first, ") + packed("second");
-    EXPECT_EQ(scene_import::unpack_zstd(both, "both.zst"), "first, second");
+    EXPECT_EQ(scene_import::unpack_zstd(both, "both.zst", 1000), "first, second");
+}
+
+TEST(Unpack, WhatTheFormatCannotHoldIsRefusedHoweverSmallItIsPacked) {
+    const std::string many = packed(std::string(200'000, 'v') + std::string(200'000, 'w'));
+    std::string padded = many;  // a packed file of honest size
+    for (int i = 0; i < 2000; ++i) padded += packed("0123456789 " + std::to_string(i * 7919));
+    EXPECT_GT(scene_import::unpack_zstd(padded, "big.zst", 1'000'000).size(), 400'000U);
+    EXPECT_THROW(scene_import::unpack_zstd(padded, "big.zst", 100'000), SceneError);
 }
 
 TEST(Unpack, TornAndDamagedDataNameTheFileAndWhatToDo) {
