@@ -5,7 +5,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <ctime>
+#include <filesystem>
 #include <mutex>
 
 #include "bench/agreement.h"
@@ -193,20 +195,28 @@ void add(Bench& bench, const std::string& name, const std::string& name_or_file)
         ->Unit(benchmark::kSecond);
 }
 
+/// Scenes below a folder, relative to it, in order; without the broken ones of hard*, which are the
+/// importers' business.
+std::vector<std::string> scene_files(const std::filesystem::path& folder) {
+    std::vector<std::string> files;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error)) {
+        const std::string file = std::filesystem::relative(entry.path(), folder).generic_string();
+        const bool scene = file.ends_with(".obj") || file.ends_with(".glb") ||
+                           file.ends_with(".glb.zst") || file.ends_with(".gltf") ||
+                           file.ends_with(".ply");
+        if (scene && !file.starts_with("hard")) files.push_back(file);
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 }  // namespace
 
 void register_tracer(Bench& bench) {
     for (const BuiltinInfo& info : builtin_scenes()) add(bench, info.name, info.name);
-    for (const char* file :
-         {"sponza/sponza.glb", "sibenik/sibenik.obj", "sponza-dabrovic/sponza.obj",
-          "kitchen/kitchen.glb", "hotel-room/hotel-room.glb", "littlest-tokyo/tokyo.glb",
-          "cornell/CornellBox-Original.obj", "cornell/CornellBox-Sphere.obj",
-          "cornell/CornellBox-Water.obj", "statues/bunny.glb", "statues/dragon.glb",
-          "statues/nefertiti.obj", "statues/armadillo.obj", "statues/teapot.obj",
-          "spot/spot_triangulated.obj"}) {
-        const std::filesystem::path path = bench.options.scenes / file;
-        if (std::filesystem::exists(path)) add(bench, file, path.string());
-    }
+    for (const std::string& file : scene_files(bench.options.scenes))
+        add(bench, file, (bench.options.scenes / file).string());
 }
 
 }  // namespace foverig::bench

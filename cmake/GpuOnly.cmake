@@ -21,6 +21,8 @@ target_link_libraries(foverig_scene PUBLIC foverig_scene_builtin fmt::fmt nlohma
 foverig_library(foverig_effects renderer/effects foverig_scene)
 foverig_library(foverig_trace_build renderer/trace/build foverig_scene)
 foverig_library(foverig_host_bvh renderer/backends/host_bvh foverig_trace_build)
+foverig_library(foverig_foveation renderer/foveation glm::glm)
+foverig_library(foverig_frame renderer/pipelines/frame foverig_effects foverig_foveation)
 foverig_library(foverig_identity rig/identity ${CMAKE_DL_LIBS})
 foverig_build_info(foverig_identity)
 include(DeviceCompiler)

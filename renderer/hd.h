@@ -20,4 +20,22 @@ RIG_INLINE void count_one(unsigned long& n) {
 #endif
 }
 
+/// The place before adding 1 to a count: a place of one's own in a list that many kernels fill.
+RIG_INLINE int take_place(int& count) {
+#if defined(__CUDA_ARCH__)
+    return atomicAdd(&count, 1);
+#else
+    return count++;
+#endif
+}
+
+/// What many kernels leave behind is the largest of all.
+RIG_INLINE void keep_largest(unsigned long long& kept, unsigned long long value) {
+#if defined(__CUDA_ARCH__)
+    atomicMax(&kept, value);
+#else
+    if (value > kept) kept = value;
+#endif
+}
+
 }  // namespace foverig

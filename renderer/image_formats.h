@@ -20,6 +20,8 @@ Image blank_image(std::int64_t width, std::int64_t height, std::size_t byte_coun
                   std::int64_t max_px_per_byte);
 
 Image decode_png(std::string_view bytes);
+/// Fills the pixels of an image of the file's size.
+void decode_png16(std::string_view bytes, Image& image);
 Image decode_pfm(std::string_view bytes);
 Image decode_rgbe(std::string_view bytes);
 Image decode_exr(std::string_view bytes);

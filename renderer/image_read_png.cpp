@@ -32,19 +32,11 @@ Image decode_png(std::string_view bytes) {
         throw FormatError(fmt::format("is a PNG that libpng rejects ({})", png.message));
     // Deflate shrinks at most 1032 times, and a PNG pixel has at least 1 bit.
     Image image = blank_image(png.width, png.height, bytes.size(), 8 * 1032);
-    const std::size_t count = image.pixels.size();
-    if ((png.format & PNG_FORMAT_FLAG_LINEAR) != 0) {
-        png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
-        png.format = PNG_FORMAT_LINEAR_RGB;
-        std::vector<std::uint16_t> values(count * 3);
-        // Linear output is not laid over a background: what is transparent comes out dark.
-        if (png_image_finish_read(&png, nullptr, values.data(), 0, nullptr) == 0)
-            throw FormatError(fmt::format("is a PNG that libpng rejects ({})", png.message));
-        for (std::size_t i = 0; i < count; ++i)
-            image.pixels[i] =
-                vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]) * (1.0F / 65535.0F);
+    if ((png.format & PNG_FORMAT_FLAG_LINEAR) != 0) {  // libpng's word for 16 bits
+        decode_png16(bytes, image);
         return image;
     }
+    const std::size_t count = image.pixels.size();
     png.format = PNG_FORMAT_RGB;
     std::vector<std::uint8_t> codes(count * 3);
     read_rows(png, codes.data());

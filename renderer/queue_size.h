@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+
 #include "renderer/hd.h"
 
 namespace foverig {
@@ -11,5 +13,8 @@ struct QueueSize {
 
     RIG_HD int get() const { return count != nullptr ? *count : most; }
 };
+
+/// Most queues of one frame whose length a pass finds out.
+inline constexpr std::size_t kMostNumbers = 8;
 
 }  // namespace foverig

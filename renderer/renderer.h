@@ -46,6 +46,9 @@ class Renderer {
     virtual Image image(int eye) const = 0;
     /// The same as displays want it, where it lies, row by row; until the next render().
     virtual View<const Half4> pixels(int eye) const = 0;
+    /// Copies the same into a texture of the current OpenGL context (2D, RGBA16F, of its size)
+    /// without the host; false: this renderer cannot, take pixels().
+    virtual bool copy_to_texture(int /*eye*/, unsigned int /*gl_texture*/) const { return false; }
     /// 1 where the last frame traced a primary ray. Empty for pipelines that trace every pixel.
     virtual Mask sampling_mask(int eye) const = 0;
     /// 1 where the last frame found the reprojection wanting (Weier 2016 3.3).
@@ -54,7 +57,18 @@ class Renderer {
     virtual double estimated_error() const { return -1.0; }
 };
 
-/// Throws std::invalid_argument for an unknown pipeline or backend, naming the known ones.
+/// What a setting of backend comes to on this machine.
+struct BackendChoice {
+    std::string name;  ///< embree, host-bvh or cuda
+    std::string why;   ///< of `auto`: the reason; else empty
+};
+
+/// `auto` is the GPU where there is one that renders this pipeline, else Embree. Throws
+/// std::invalid_argument for an unknown backend, naming the known ones.
+BackendChoice choose_backend(const RenderSettings& settings);
+
+/// Throws std::invalid_argument for an unknown pipeline or backend, naming the known ones, and
+/// BackendError where that backend cannot be had.
 std::unique_ptr<Renderer> make_renderer(std::shared_ptr<const Scene> scene,
                                         const RenderSettings& settings);
 

@@ -52,7 +52,7 @@ struct ReferenceSettings {
 
 struct RenderSettings {
     std::string pipeline = "reprojected";  ///< full | reprojected | reference
-    std::string backend = "auto";          ///< auto | embree | host-bvh; auto is embree
+    std::string backend = "auto";          ///< auto | embree | host-bvh | cuda
     int threads = 0;                       ///< 0: one a core
     std::uint32_t seed = 1;
     bool robust_tracing = true;  ///< watertight edges; false is faster and may leak light at edges

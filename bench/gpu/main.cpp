@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "bench/gpu/exit_code.h"
+#include "bench/gpu/moving_mesh.h"
 #include "bench/gpu/suites.h"
 #include "renderer/backends/cuda/cuda_error.h"
 #include "renderer/backends/cuda/device_info.h"
@@ -20,7 +21,9 @@ namespace {
 
 struct Options {
     std::filesystem::path out = "gpu-results";
+    std::vector<std::string> builtin;  ///< which of the built-in scenes; empty: all
     std::vector<std::string> scenes;
+    bool parity_only = false;
     GpuSettings settings;
 };
 
@@ -62,7 +65,8 @@ void write(const std::filesystem::path& file, const Json& document) {
 }
 
 /// Whether CUDA agrees with the host on it.
-bool run_scene(const std::string& name, const Options& options, const Json& identity) {
+bool run_scene(const std::string& name, const Options& options, const Json& identity,
+               int paced_frames) {
     const GpuScene scene(load_scene(name));
     Json document = {{"schema", "foverig.gpu/1"},
                      {"scene", name},
@@ -71,11 +75,18 @@ bool run_scene(const std::string& name, const Options& options, const Json& iden
                      {"nodes", scene.host().bvh().view().nodes.size}};
     document.update(identity);
     document["parity"] = parity(scene, options.settings);
-    const bool pass = document["parity"]["pass"];
+    bool pass = document["parity"]["pass"];
+    if (scene.host().bvh().plan().moves()) {
+        document["refit"] = refit(scene.scene(), options.settings);
+        pass = pass && document["refit"]["pass"].get<bool>();
+    }
     fmt::print("{}: parity {}", name, pass ? "good" : "FAILED");
-    if (pass) {  // what answers wrongly is not timed
+    if (pass && !options.parity_only) {  // what answers wrongly is not timed
         document["rates"] = ray_rates(scene, options.settings);
-        document["full"] = full_frames(scene, options.settings);
+        document["frames"] = frames(scene, options.settings);
+        const Json& ao = document["frames"]["ao16"]["reprojected"]["both_eyes"];
+        fmt::print(", both eyes with AO 16 in {:.2f} ms", ao["passes_sum_ms"].get<double>());
+        if (paced_frames > 0) document["pacing"] = pacing(scene, paced_frames);
         for (const char* kind : {"primary", "shadow", "ao16", "diffuse"})
             if (document["rates"].contains(kind))
                 fmt::print(", {} {:.0f} Mrays/s", kind,
@@ -87,16 +98,34 @@ bool run_scene(const std::string& name, const Options& options, const Json& iden
     return pass;
 }
 
+/// The refit of a mesh of a known size, in a file of its own.
+bool run_refit(const Options& options, const Json& identity) {
+    const Scene scene = moving_mesh();
+    Json document = {{"schema", "foverig.gpu/1"}, {"scene", scene.name}};
+    document.update(identity);
+    const Json row = document["refit"] = refit(scene, options.settings);
+    const bool pass = row["pass"];
+    fmt::print("{}: refit of {} triangles {}", scene.name, scene.triangles.size(),
+               pass ? "good" : "FAILED");
+    if (pass) fmt::print(", {:.3f} ms", row["refit"]["median_ms"].get<double>());
+    fmt::print("\n");
+    write(options.out / (scene.name + ".json"), document);
+    return pass;
+}
+
 GpuExit run(Options options) {
     const cuda::DeviceInfo device = cuda::device_info();
     fmt::print("{}, sm_{}{}, {} multiprocessors, driver for CUDA {}\n", device.name, device.major,
                device.minor, device.multiprocessors, device.driver);
     const Json who = identity(device);
-    std::vector<std::string> names;
-    for (const BuiltinInfo& info : builtin_scenes()) names.push_back(info.name);
+    std::vector<std::string> names = options.builtin;
+    if (names.empty())
+        for (const BuiltinInfo& info : builtin_scenes()) names.push_back(info.name);
     names.insert(names.end(), options.scenes.begin(), options.scenes.end());
-    bool pass = true;
-    for (const std::string& name : names) pass = run_scene(name, options, who) && pass;
+    bool pass = run_refit(options, who);
+    int paced_frames = options.settings.paced_frames;
+    for (const std::string& name : names)
+        pass = run_scene(name, options, who, std::exchange(paced_frames, 0)) && pass;
     fmt::print("results in {}\n", options.out.string());
     return pass ? GpuExit::good : GpuExit::parity_failed;
 }
@@ -132,6 +161,8 @@ int main(int argc, char** argv) {
         "internal; 6 no GPU that it can use");
     app.add_option("--out", options.out, "folder for the results")->capture_default_str();
     app.add_option("scenes", options.scenes, "scene files: OBJ, glTF, GLB or PLY");
+    app.add_option("--builtin", options.builtin, "only these of the built-in scenes");
+    app.add_flag("--parity-only", options.parity_only, "time nothing");
     app.add_option("--rays", options.settings.rays, "rays of a timed batch")
         ->check(CLI::Range(1024, 100'000'000))
         ->capture_default_str();
@@ -141,6 +172,10 @@ int main(int argc, char** argv) {
     app.add_option("--repetitions", options.settings.repetitions,
                    "of each measurement; odd is best")
         ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    app.add_option("--paced-frames", options.settings.paced_frames,
+                   "frames of the first scene at 75 Hz of the wall clock; 0: none")
+        ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str();
     try {
         app.parse(argc, argv);

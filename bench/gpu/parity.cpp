@@ -6,14 +6,9 @@
 #include "bench/gpu/suites.h"
 #include "bench/ray_kinds.h"
 #include "renderer/backends/cuda/cuda_tracer.h"
-#include "renderer/backends/host_bvh/host_backend.h"
-#include "renderer/pipelines/cuda/cuda_full.h"
-#include "renderer/pipelines/full_frame.h"
 
 namespace foverig::gpu {
 namespace {
-
-constexpr float kPixelApart = 0.01F;
 
 std::vector<Ray> rays_of(const Scene& scene, bench::RayKind kind, std::uint32_t count) {
     std::vector<Ray> rays(count);
@@ -59,41 +54,6 @@ Json compare_kind(const GpuScene& scene, cuda::CudaTracer& tracer, bench::RayKin
     return row;
 }
 
-/// Every kind of light at once, small enough for one thread of the host.
-Json compare_images(const GpuScene& scene, const Tolerances& tolerances, bool& pass) {
-    RenderSettings settings;
-    settings.pipeline = "full";
-    settings.lighting.area_samples = 4;
-    settings.lighting.ao_samples = 4;
-    const EyeView view = scene.view(253, 187);
-    host_bvh::HostBackend backend(scene.host());
-    FullFrame<host_bvh::HostBackend> frame(backend, scene.scene(), settings);
-    frame.render(view, 1);
-    const std::vector<Half4> host = frame.image();
-    cuda::CudaFull full(scene.scene(), scene.host().view(), scene.host().bvh().view(),
-                        scene.holes(), settings);
-    full.render(view, 1);
-    const std::vector<Half4> device = full.image();
-    std::size_t apart = 0;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < host.size(); ++i) {
-        const vec3 d = glm::abs(vec3(unpack_half4(host[i])) - vec3(unpack_half4(device[i])));
-        apart += d.x + d.y + d.z <= kPixelApart ? 0U : 1U;
-        sum += double{d.x} + d.y + d.z;
-    }
-    const auto pixels = static_cast<double>(host.size());
-    const double share = static_cast<double>(apart) / pixels;
-    const double mean = sum / (3.0 * pixels);
-    const NumericCounts numerics = full.numerics();
-    const bool good = share <= tolerances.pixels_apart_share && mean <= tolerances.mean_apart &&
-                      numerics.nan == 0 && numerics.inf == 0;
-    pass = pass && good;
-    return {{"width_px", view.width_px},   {"height_px", view.height_px},
-            {"pixels_apart_share", share}, {"mean_apart", mean},
-            {"nan", numerics.nan},         {"inf", numerics.inf},
-            {"within_tolerances", good}};
-}
-
 }  // namespace
 
 Json parity(const GpuScene& scene, const GpuSettings& settings, const Tolerances& tolerances) {
@@ -105,9 +65,9 @@ Json parity(const GpuScene& scene, const GpuSettings& settings, const Tolerances
             hits[bench::name_of(kind)] =
                 compare_kind(scene, tracer, kind, settings.parity_rays, wrong);
     }
-    bool pass = wrong <= tolerances.wrong_hits;
-    const Json image = compare_images(scene, tolerances, pass);
-    return {{"pass", pass}, {"wrong_hits", wrong}, {"hits", hits}, {"full", image}};
+    const Json frames = frame_parity(scene, tolerances);
+    const bool pass = wrong <= tolerances.wrong_hits && frames["pass"].get<bool>();
+    return {{"pass", pass}, {"wrong_hits", wrong}, {"hits", hits}, {"frames", frames}};
 }
 
 }  // namespace foverig::gpu

@@ -1,13 +1,15 @@
 #include <cmath>
 
-#include "bench/gpu/in_threads.h"
-#include "bench/gpu/suites.h"
+#include "bench/gpu/binary_bvh.h"
+#include "bench/gpu/device_binary.h"
+#include "bench/gpu/visits.h"
 #include "bench/statistics.h"
 #include "renderer/backends/cuda/cuda_tracer.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/frame_queue.h"
 #include "renderer/kernels/light_rays.h"
 #include "renderer/kernels/shade_surface.h"
+#include "renderer/trace/build/binned_sah.h"
 
 namespace foverig::gpu {
 namespace {
@@ -25,7 +27,7 @@ std::vector<Ray> primary_rays(const EyeView& view) {
     const int n = view.width_px * view.height_px;
     std::vector<PackedPixel> pixels(static_cast<std::size_t>(n));
     std::vector<Ray> rays(pixels.size());
-    const QueuePixels queue{view.width_px, view.height_px, view_of(pixels)};
+    const QueuePixels queue{view.width_px, view.height_px, view_of(pixels), 0U};
     const CameraRays make_ray{EyeRays(view), view_of(std::as_const(pixels)), {}};
     in_threads(pixels.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -79,27 +81,56 @@ Ray scattered(const Spot& spot, std::uint32_t number, float reach_m) {
     return {spot.origin_m, frame_about(spot.normal).world(cosine_direction(point)), 0.0F, reach_m};
 }
 
-Json row_of(std::size_t rays, const std::vector<double>& ms, double hit_share) {
+/// `visits`: nodes, triangles and bytes that a ray reads.
+Json row_of(std::size_t rays, const std::vector<double>& ms, double hit_share, const Json& visits) {
     const double median_ms = bench::median(ms);
-    return {{"rays", rays},
-            {"ms", ms},
-            {"median_ms", median_ms},
-            {"mrays_s", median_ms > 0.0 ? static_cast<double>(rays) / median_ms * 1e-3 : 0.0},
-            {"hit_share", hit_share}};
+    const double mrays_s = median_ms > 0.0 ? static_cast<double>(rays) / median_ms * 1e-3 : 0.0;
+    Json row = {{"rays", rays},           {"ms", ms},
+                {"median_ms", median_ms}, {"mrays_s", mrays_s},
+                {"hit_share", hit_share}, {"a_ray_reads", visits}};
+    if (visits.contains("bytes"))
+        row["read_gbytes_s"] = visits["bytes"].get<double>() * mrays_s * 1e-3;
+    return row;
 }
 
-Json closest_row(const cuda::TracedHits& traced) {
+Json closest_row(const cuda::TracedHits& traced, const Json& visits) {
     std::size_t hits = 0;
     for (const Hit& hit : traced.hits) hits += hit.missed() ? 0U : 1U;
     return row_of(traced.hits.size(), traced.ms,
-                  static_cast<double>(hits) / static_cast<double>(traced.hits.size()));
+                  static_cast<double>(hits) / static_cast<double>(traced.hits.size()), visits);
 }
 
-Json visible_row(const cuda::TracedShadows& traced) {
+Json visible_row(const cuda::TracedShadows& traced, const Json& visits) {
     std::size_t hits = 0;
     for (const float visible : traced.visible) hits += visible > 0.0F ? 0U : 1U;
     return row_of(traced.visible.size(), traced.ms,
-                  static_cast<double>(hits) / static_cast<double>(traced.visible.size()));
+                  static_cast<double>(hits) / static_cast<double>(traced.visible.size()), visits);
+}
+
+/// The same rays by a plain binary BVH over the same triangles. `hits_apart`: rays that it answers
+/// otherwise than the wide one did.
+Json binary_row(const GpuScene& scene, const std::vector<Ray>& rays, const cuda::TracedHits& wide,
+                int repetitions) {
+    const SceneView& view = scene.host().view();
+    const PackedBinary packed(scene.host().bvh().view().triangles, build_binned_triangles);
+    const BinaryView bvh = packed.view();
+    const Json visits =
+        visits_of(rays, sizeof(PairNode), sizeof(Hit), [&](const Ray& ray, Visits& v) {
+            if (scene.holes())
+                traverse_binary<false, true>(bvh, view, ray, v);
+            else
+                traverse_binary<false, false>(bvh, view, ray, v);
+        });
+    const cuda::TracedHits traced =
+        closest_by_binary(view, bvh, scene.holes(), view_of(rays), repetitions);
+    std::size_t apart = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        apart += traced.hits[i].triangle == wide.hits[i].triangle ? 0U : 1U;
+    Json row = closest_row(traced, visits);
+    row["hits_apart"] = apart;
+    row["nodes"] = bvh.nodes.size;
+    row["wide_over_binary"] = bench::median(traced.ms) / bench::median(wide.ms);
+    return row;
 }
 
 }  // namespace
@@ -109,13 +140,15 @@ Json ray_rates(const GpuScene& scene, const GpuSettings& settings) {
     const int side = static_cast<int>(std::sqrt(static_cast<double>(settings.rays)));
     const std::vector<Ray> primary = primary_rays(scene.view(side, side));
     const cuda::TracedHits seen = tracer.closest(view_of(primary), settings.repetitions);
-    Json rows = {{"scene_bytes", tracer.scene_bytes()}, {"primary", closest_row(seen)}};
+    Json rows = {{"scene_bytes", tracer.scene_bytes()},
+                 {"primary", closest_row(seen, visits_of<false>(scene, primary))}};
     const std::vector<Spot> spots = spots_of(scene.host().view(), primary, seen.hits);
     if (spots.empty()) return rows;  // the camera sees nothing to send rays from
     const Scene& s = scene.scene();
     const auto time_visible = [&](const std::vector<Spot>& from, const auto& make) {
         const std::vector<Ray> rays = rays_from(from, settings.rays, make);
-        return visible_row(tracer.visible(view_of(rays), settings.repetitions));
+        return visible_row(tracer.visible(view_of(rays), settings.repetitions),
+                           visits_of<true>(scene, rays));
     };
     const vec3 light_m = light_position_m(s);
     rows["shadow"] = time_visible(spots, [&](const Spot& spot, std::uint32_t) {
@@ -137,7 +170,9 @@ Json ray_rates(const GpuScene& scene, const GpuSettings& settings) {
     const std::vector<Ray> diffuse = rays_from(
         spots, settings.rays,
         [](const Spot& spot, std::uint32_t i) { return scattered(spot, i, kUnbounded_m); });
-    rows["diffuse"] = closest_row(tracer.closest(view_of(diffuse), settings.repetitions));
+    const cuda::TracedHits wide = tracer.closest(view_of(diffuse), settings.repetitions);
+    rows["diffuse"] = closest_row(wide, visits_of<false>(scene, diffuse));
+    rows["diffuse_by_binary"] = binary_row(scene, diffuse, wide, settings.repetitions);
     return rows;
 }
 

@@ -12,6 +12,7 @@ struct GpuSettings {
     std::uint32_t rays = 10'000'000;        ///< of a timed batch
     std::uint32_t parity_rays = 1'000'000;  ///< compared, of each kind
     int repetitions = 7;
+    int paced_frames = 10'000;  ///< of the first scene, at 75 Hz; 0: none
 };
 
 /// Three named tolerances between CUDA and host-bvh.
@@ -22,15 +23,27 @@ struct Tolerances {
     double mean_apart = 1e-3;          ///< mean over channels of |difference|
 };
 
-/// Hits of five kinds of rays, closest and any, and an image of `full` with every kind of light.
-/// Key "pass" says whether all tolerances hold.
+/// Hits of five kinds of rays, closest and any, and frame_parity(). Key "pass" says whether all
+/// tolerances hold.
 Json parity(const GpuScene& scene, const GpuSettings& settings, const Tolerances& tolerances = {});
 
-/// Mrays/s of primary, shadow, AO and diffuse rays, one batch each; medians.
+/// Mrays/s of primary, shadow, AO and diffuse rays, one batch each, and of the diffuse ones by a
+/// binary BVH; medians. And what a ray of each kind reads.
 Json ray_rates(const GpuScene& scene, const GpuSettings& settings);
 
-/// `full` at the DK2's 1182 x 1464, one eye: point light, area light 8, AO 16; median frame and
-/// pass times.
-Json full_frames(const GpuScene& scene, const GpuSettings& settings);
+/// A short flight of `full` and `reprojected`, both eyes, every kind of light, against the same
+/// passes on the host; and each frame as a graph against single launches, to the bit.
+Json frame_parity(const GpuScene& scene, const Tolerances& tolerances);
+
+/// Point light, area light of 8 samples, AO 16: `full` and `reprojected`, one eye and both at the
+/// DK2's 1182 x 1464 and both at 3840 x 2160; median frame and pass times.
+Json frames(const GpuScene& scene, const GpuSettings& settings);
+
+/// `reprojected` with AO 16, both eyes, begun at each VSync of 75 Hz.
+Json pacing(const GpuScene& scene, int frames);
+
+/// Whether the device's refit ends with the bytes of the host's, launched one by one and as a graph
+/// (key "pass"), and if so its times. The scene has a part that moves.
+Json refit(const Scene& scene, const GpuSettings& settings);
 
 }  // namespace foverig::gpu

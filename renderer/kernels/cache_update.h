@@ -51,9 +51,9 @@ struct CacheUpdate {
             const vec4 light = light_alpha * unpack_half4(samples.light[i]) +
                                (1.0F - light_alpha) * unpack_half4(to.light[target]);
             to.light[target] = pack_half4(light);
-            colour = vec3(unpack_half4(samples.base[i])) +
-                     lit(vec3(unpack_half4(samples.diffuse[i])), vec3(light), light.w, ambient,
-                         kOcclusion);
+            colour = with_light(vec3(unpack_half4(samples.base[i])),
+                                vec3(unpack_half4(samples.diffuse[i])), vec3(light), light.w,
+                                ambient, kOcclusion);
         }
         to.colour[target] =
             pack_half4(vec4(alpha * representable(colour) + (1.0F - alpha) * vec3(cached),

@@ -7,10 +7,15 @@
 
 namespace foverig {
 
-/// The light buffer's share of a surface's colour: kd (E / pi + ambient * openness).
-RIG_INLINE vec3 lit(const vec3& diffuse, const vec3& irradiance, float occlusion,
-                    const vec3& ambient, bool occluded) {
-    return diffuse * (irradiance * kInversePi + (occluded ? ambient * occlusion : vec3(0.0F)));
+/// `colour` and the light buffer's share of it: kd (E / pi + ambient * openness). Fused by hand: a
+/// compiler may fuse either product of a sum, and the pipelines' colours are to be equal.
+RIG_INLINE vec3 with_light(const vec3& colour, const vec3& diffuse, const vec3& irradiance,
+                           float openness, const vec3& ambient, bool occluded) {
+    const auto channel = [&](int c) {
+        const float shown = occluded ? ambient[c] * openness : 0.0F;
+        return fmaf(diffuse[c], fmaf(irradiance[c], kInversePi, shown), colour[c]);
+    };
+    return {channel(0), channel(1), channel(2)};
 }
 
 RIG_INLINE bool is_finite(const vec3& c) {
@@ -53,8 +58,9 @@ struct ComposePixels {
             const int s = static_cast<int>(slot);
             colour = surfaces.get3(Row::colour_r, s);
             if constexpr (kLightBuffer)
-                colour += lit(surfaces.get3(Row::diffuse_r, s), surfaces.get3(Row::irradiance_r, s),
-                              surfaces.at(Row::occlusion, s), ambient, kOcclusion);
+                colour = with_light(colour, surfaces.get3(Row::diffuse_r, s),
+                                    surfaces.get3(Row::irradiance_r, s),
+                                    surfaces.at(Row::occlusion, s), ambient, kOcclusion);
         }
         image[static_cast<std::size_t>(pixel_y(p)) * static_cast<std::size_t>(width_px) +
               pixel_x(p)] = pack_half4(vec4(checked(colour, *numerics), 0.0F));

@@ -53,7 +53,7 @@ struct Reprojection {
     }
 };
 
-/// One row of vertices.
+/// One row of vertices, or columns [begin, end) of it.
 struct ReprojectVertices {
     Reprojection map;
     const float* depth_m;  ///< support G-buffer of the last frame
@@ -64,10 +64,12 @@ struct ReprojectVertices {
     float* y_px;
     float* inverse_depth;
 
-    RIG_HD void operator()(int row) const {
+    RIG_HD void operator()(int row) const { span(row, 0, columns); }
+
+    RIG_INLINE void span(int row, int begin, int end) const {
         const float source_y = source_y_px[row];
         const int first = row * columns;
-        for (int column = 0; column < columns; ++column) {
+        for (int column = begin; column < end; ++column) {
             const vec3 p = map.in_new_eye(source_x_px[column], source_y, depth_m[first + column]);
             const float depth = -p.z;
             const bool seen = depth > kNearestVertex_m;

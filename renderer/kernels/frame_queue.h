@@ -2,6 +2,7 @@
 // Queues of a whole frame: pixels in, those that see a surface out.
 #include "renderer/kernels/pixel.h"
 #include "renderer/kernels/sampling.h"
+#include "renderer/kernels/tile_grid.h"
 #include "renderer/trace/ray.h"
 #include "renderer/view.h"
 
@@ -12,6 +13,7 @@ struct QueuePixels {
     int width_px;
     int height_px;
     View<PackedPixel> pixels;
+    std::uint32_t eye;
 
     RIG_HD void operator()(int i) const {
         constexpr int kBlockWidth = 8;
@@ -25,8 +27,9 @@ struct QueuePixels {
         const int width = width_px - x0 < kBlockWidth ? width_px - x0 : kBlockWidth;
         const int in_block = in_band - x0 * height;
         pixels[static_cast<std::size_t>(i)] =
-            pack_pixel(static_cast<std::uint32_t>(x0 + in_block % width),
-                       static_cast<std::uint32_t>(y0 + in_block / width));
+            of_eye(pack_pixel(static_cast<std::uint32_t>(x0 + in_block % width),
+                              static_cast<std::uint32_t>(y0 + in_block / width)),
+                   eye);
     }
 };
 
@@ -36,21 +39,47 @@ struct SeesSurface {
     RIG_HD bool operator()(int i) const { return !hits[static_cast<std::size_t>(i)].missed(); }
 };
 
-/// `slot` is the i-th pixel's surface, or -1. Fills the queue of surfaces too, where something is
-/// sampled by it.
+/// `slot` is the i-th pixel's surface, or -1.
 struct GiveSlot {
     View<const PackedPixel> pixels;
     View<std::uint32_t> slots;
-    View<int> own_slots;  ///< entry k is k; empty: not wanted
-    View<int> patterns;   ///< of each slot; empty: not wanted
+    View<int> patterns;  ///< of each slot; empty: nothing is sampled by it
 
     RIG_HD void operator()(int i, int slot) const {
         slots[static_cast<std::size_t>(i)] = slot < 0 ? kMiss : static_cast<std::uint32_t>(slot);
-        if (slot < 0) return;
+        if (slot < 0 || patterns.empty()) return;
         const PackedPixel p = pixels[static_cast<std::size_t>(i)];
-        if (!own_slots.empty()) own_slots[static_cast<std::size_t>(slot)] = slot;
-        if (!patterns.empty())
-            patterns[static_cast<std::size_t>(slot)] = pattern_of(pixel_x(p), pixel_y(p));
+        patterns[static_cast<std::size_t>(slot)] = pattern_of(pixel_x(p), pixel_y(p));
+    }
+};
+
+/// Whether the pixel at the i-th place is to be traced. Places go tile by tile, each in coherent
+/// order; flags lie 64 a row in each tile (see SelectPixels).
+struct IsChosen {
+    const std::uint8_t* flags;
+
+    RIG_HD bool operator()(int i) const {
+        return flags[i / kTilePixels * kTilePixels + coherent_pixel(i % kTilePixels)] != 0;
+    }
+};
+
+/// Files the pixel at the i-th place as a sample, if it got a place in the queue.
+struct QueueSample {
+    const std::uint8_t* flags;
+    TileGrid grid;
+    PackedPixel* pixels;
+    std::uint8_t* why;
+    std::uint32_t eye;
+
+    RIG_HD void operator()(int i, int place) const {
+        if (place < 0) return;
+        const int tile = i / kTilePixels;
+        const int pixel = coherent_pixel(i % kTilePixels);
+        const TileRect rect = grid.rect(tile);
+        pixels[place] = of_eye(pack_pixel(static_cast<std::uint32_t>(rect.x0 + pixel % kTile),
+                                          static_cast<std::uint32_t>(rect.y0 + pixel / kTile)),
+                               eye);
+        why[place] = flags[tile * kTilePixels + pixel];
     }
 };
 

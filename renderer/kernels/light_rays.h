@@ -118,25 +118,31 @@ struct AddAreaLight {
     }
 };
 
+/// Table of cosine-weighted directions about +z: rows x, y, z.
+RIG_INLINE WeightedRay occlusion_ray(const Surfaces& surfaces, int slot, int pattern,
+                                     const PatternTable& directions, int sample, float reach_m) {
+    const vec3 local{directions.get(0, pattern, sample), directions.get(1, pattern, sample),
+                     directions.get(2, pattern, sample)};
+    WeightedRay r;
+    r.ray.origin_m = surfaces.get3(Row::origin_x, slot);
+    r.ray.direction = frame_about(surfaces.get3(Row::normal_x, slot)).world(local);
+    r.ray.t_max = reach_m;
+    r.weight = 1.0F;
+    return r;
+}
+
 /// Places of a queue (see OcclusionQueue), not slots, because the order of slots suits other rays.
 struct OcclusionRays {
     Surfaces surfaces;
     View<const int> slots;     ///< of each place
     View<const int> patterns;  ///< of each place
-    PatternTable directions;   ///< rows: x, y, z of cosine-weighted directions about +z
+    PatternTable directions;   ///< see occlusion_ray
     float reach_m;
 
     RIG_HD WeightedRay operator()(int place, int sample) const {
-        const int slot = slots[static_cast<std::size_t>(place)];
-        const int pattern = patterns[static_cast<std::size_t>(place)];
-        const vec3 local{directions.get(0, pattern, sample), directions.get(1, pattern, sample),
-                         directions.get(2, pattern, sample)};
-        WeightedRay r;
-        r.ray.origin_m = surfaces.get3(Row::origin_x, slot);
-        r.ray.direction = frame_about(surfaces.get3(Row::normal_x, slot)).world(local);
-        r.ray.t_max = reach_m;
-        r.weight = 1.0F;
-        return r;
+        return occlusion_ray(surfaces, slots[static_cast<std::size_t>(place)],
+                             patterns[static_cast<std::size_t>(place)], directions, sample,
+                             reach_m);
     }
 };
 

@@ -17,8 +17,11 @@ struct MergeSupport {
     int width_px;
     std::uint32_t frame;
 
-    RIG_HD void operator()(int y) const {
-        for (int x = 0; x < tile_width; ++x) {
+    RIG_HD void operator()(int y) const { span(y, 0, tile_width); }
+
+    /// Pixels [begin, end) of the row.
+    RIG_INLINE void span(int y, int begin, int end) const {
+        for (int x = begin; x < end; ++x) {
             if (tile.inverse_depth[y * kRasterStride + x] > 0.0F) continue;
             const std::size_t target =
                 static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(width_px) +

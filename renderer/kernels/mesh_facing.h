@@ -17,7 +17,10 @@ struct MeasureFacing {
     int columns;
     float* facing;  ///< of the cell right of and below vertex [row * columns + column]
 
-    RIG_HD void operator()(int row) const {
+    RIG_HD void operator()(int row) const { span(row, 0, columns - 1); }
+
+    /// Cells [begin, end) of the row.
+    RIG_INLINE void span(int row, int begin, int end) const {
         const float* const above = depth_m + row * columns;
         const float* const below = above + columns;
         float* const out = facing + row * columns;
@@ -27,9 +30,8 @@ struct MeasureFacing {
         const float y = 0.5F * (source_y_px[row] + source_y_px[row + 1]);
         const float tangent_y = corner.y + y * per_px.y;
         const float per_row = 1.0F / ((source_y_px[row + 1] - source_y_px[row]) * per_px.y);
-        const int cells = columns - 1;
 #pragma GCC ivdep
-        for (int i = 0; i < cells; ++i) {
+        for (int i = begin; i < end; ++i) {
             const float w00 = 1.0F / above[i];
             const float w10 = 1.0F / above[i + 1];
             const float w01 = 1.0F / below[i];

@@ -72,8 +72,8 @@ struct LeaveVertex {
             last ? 0.0F : scene.materials[scene.triangle_materials[triangle_of[at]]].reflectance;
         vec3 colour = surfaces.get3(Row::colour_r, slot);
         if constexpr (kLightBuffer)
-            colour += lit(diffuse, surfaces.get3(Row::irradiance_r, slot),
-                          surfaces.at(Row::occlusion, slot), scene.ambient, kOcclusion);
+            colour = with_light(colour, diffuse, surfaces.get3(Row::irradiance_r, slot),
+                                surfaces.at(Row::occlusion, slot), scene.ambient, kOcclusion);
         vec3& throughput = paths.throughput[path];
         paths.radiance[path] += throughput * ((1.0F - mirror) * colour);
         const vec3 normal = surfaces.get3(Row::normal_x, slot);

@@ -16,6 +16,11 @@ RIG_INLINE float share_of_noise(float own, float other, float most, float noise)
     return apart > wide ? wide / apart : 1.0F;
 }
 
+/// `noise` of n rays.
+inline float light_noise(int samples) {
+    return 0.5F / sqrtf(static_cast<float>(samples > 0 ? samples : 1));
+}
+
 /// Light-buffer post-process (Weier 2016 3.5) for the i-th sample of a tile, if it was resampled
 /// outside the fovea: finds the nearest reconstructed neighbour on the axes, samples the window of
 /// that size n times, and lights the pixel with the light of the closest reconstructed pixel found,
@@ -68,7 +73,8 @@ struct PostProcess {
         consider(x + window, y);
         consider(x, y - window);
         consider(x, y + window);
-        std::uint32_t h = hash32(frame_seed ^ samples.pixels[i]);
+        std::uint32_t h =
+            hash32(frame_seed ^ pack_pixel(pixel_x(samples.pixels[i]), pixel_y(samples.pixels[i])));
         for (int k = 0; k < window_samples && best > 1; ++k) {  // 1: none can be nearer
             h = hash32(h + 0x9E3779B9U);
             const int span = 2 * window + 1;
@@ -80,8 +86,8 @@ struct PostProcess {
         if (from < 0) return;
         const vec4 light = mixed(unpack_half4(samples.light[i]), unpack_half4(images.light[from]));
         const vec3 colour =
-            vec3(unpack_half4(samples.base[i])) +
-            lit(vec3(unpack_half4(samples.diffuse[i])), vec3(light), light.w, ambient, kOcclusion);
+            with_light(vec3(unpack_half4(samples.base[i])), vec3(unpack_half4(samples.diffuse[i])),
+                       vec3(light), light.w, ambient, kOcclusion);
         const int target = y * width_px + x;
         const float rho = unpack_half4(images.colour[target]).w;
         images.colour[target] = pack_half4(vec4(representable(colour), rho));

@@ -151,33 +151,60 @@ RIG_INLINE void raster_triangle(const RasterTile& tile, const TriangleLanes& t, 
     }
 }
 
-/// Draws the cells of one block, in order, so that ties do not depend on threads. Vertex arrays
-/// have room for one vector past their end.
-RIG_INLINE void raster_block(const RasterFrame& frame, const RasterTile& tile, int row,
-                             int first_column) {
+/// Corners of kLanes neighbouring cells: a and b above, c and d below.
+struct CellCorners {
+    VertexLanes a;
+    VertexLanes b;
+    VertexLanes c;
+    VertexLanes d;
+
+    RIG_INLINE TriangleLanes triangle(bool lower, int width, int height) const {
+        const Lanes cell_px2 = (b.source_x - a.source_x) * (c.source_y - a.source_y);
+        return lower ? set_up_triangles(a, d, c, cell_px2, width, height)
+                     : set_up_triangles(a, b, d, cell_px2, width, height);
+    }
+};
+
+/// Of the cells right of and below vertices (row, column) and on. Vertex arrays have room for one
+/// vector past their end.
+RIG_INLINE CellCorners cell_corners(const RasterFrame& frame, int row, int column) {
     const DepthMesh& m = frame.mesh;
-    const int end =
-        first_column + kBlockCells < m.columns - 1 ? first_column + kBlockCells : m.columns - 1;
     const Lanes zero{};
-    const auto vertices = [&](int line, int column) {
-        const int i = line * m.columns + column;
+    const auto vertices = [&](int line, int first) {
+        const int i = line * m.columns + first;
         return VertexLanes{load_lanes(m.x_px + i) * frame.scale_x - static_cast<float>(frame.x0),
                            load_lanes(m.y_px + i) * frame.scale_y - static_cast<float>(frame.y0),
-                           load_lanes(m.inverse_depth + i), load_lanes(m.source_x_px + column),
+                           load_lanes(m.inverse_depth + i), load_lanes(m.source_x_px + first),
                            zero + m.source_y_px[line]};
     };
+    return {vertices(row, column), vertices(row, column + 1), vertices(row + 1, column),
+            vertices(row + 1, column + 1)};
+}
+
+/// The two triangles of kLanes neighbouring cells.
+struct CellLanes {
+    TriangleLanes upper;
+    TriangleLanes lower;
+};
+
+RIG_INLINE CellLanes set_up_cells(const RasterFrame& frame, int row, int column) {
+    const CellCorners corners = cell_corners(frame, row, column);
+    return {corners.triangle(false, frame.width, frame.height),
+            corners.triangle(true, frame.width, frame.height)};
+}
+
+/// Draws the cells of one block, in order, so that ties do not depend on threads.
+RIG_INLINE void raster_block(const RasterFrame& frame, const RasterTile& tile, int row,
+                             int first_column) {
+    const int cells_in_row = frame.mesh.columns - 1;
+    const int end =
+        first_column + kBlockCells < cells_in_row ? first_column + kBlockCells : cells_in_row;
     for (int column = first_column; column < end; column += kLanes) {
-        const VertexLanes a = vertices(row, column);
-        const VertexLanes b = vertices(row, column + 1);
-        const VertexLanes c = vertices(row + 1, column);
-        const VertexLanes d = vertices(row + 1, column + 1);
-        const Lanes cell_px2 = (b.source_x - a.source_x) * (c.source_y - a.source_y);
-        const TriangleLanes upper = set_up_triangles(a, b, d, cell_px2, frame.width, frame.height);
-        const TriangleLanes lower = set_up_triangles(a, d, c, cell_px2, frame.width, frame.height);
+        const CellLanes cell = set_up_cells(frame, row, column);
         const int cells = end - column < kLanes ? end - column : kLanes;
         for (int lane = 0; lane < cells; ++lane) {
-            raster_triangle(tile, upper, lane);
-            raster_triangle(tile, lower, lane);
+            raster_triangle(tile, cell.upper, lane);
+            raster_triangle(tile, cell.lower, lane);
         }
     }
 }

@@ -41,13 +41,18 @@ struct ReprojectPixels {
     int width_px;
     int height_px;
 
-    RIG_HD void operator()(int y) const {
-        alignas(64) int indices[kTaps][kRasterTile];
+    RIG_HD void operator()(int y) const { span(y, 0, tile_width); }
+
+    /// Pixels [begin, end) of the row; on the device one at a time.
+    RIG_INLINE void span(int y, int begin, int end) const {
+        constexpr int kMost = kLanes == 1 ? 1 : kRasterTile;
+        const auto place = [begin](int x) { return kMost == 1 ? 0 : x - begin; };
+        alignas(64) int indices[kTaps][kMost];
         const Lanes zero{};
         const Lanes one = zero + 1.0F;
         const Lanes last_x = zero + static_cast<float>(width_px - 1);
         const Lanes last_y = zero + static_cast<float>(height_px - 1);
-        for (int x = 0; x < tile_width; x += kLanes) {
+        for (int x = begin; x < end; x += kLanes) {
             const int at = y * kRasterStride + x;
             const Lanes inverse_depth = load_lanes(tile.inverse_depth + at);
             const Lanes depth = one / select_lanes(inverse_depth > zero, inverse_depth, one);
@@ -63,19 +68,19 @@ struct ReprojectPixels {
                 const Lanes tap_y = source_y + width * load_lanes(taps.row(k, 1, y & 7) + (x & 7));
                 const LaneInts column = truncate_lanes(max_lanes(min_lanes(tap_x, last_x), zero));
                 const LaneInts row = truncate_lanes(max_lanes(min_lanes(tap_y, last_y), zero));
-                store_lanes(indices[k] + x, row * width_px + column);
+                store_lanes(indices[k] + place(x), row * width_px + column);
             }
         }
         const std::size_t out =
             static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(width_px) +
             static_cast<std::size_t>(x0);
         const float* const covered = tile.inverse_depth + y * kRasterStride;
-        for (int x = 0; x < tile_width; ++x) {
+        for (int x = begin; x < end; ++x) {
             if (covered[x] <= 0.0F) continue;
             const std::size_t target = out + static_cast<std::size_t>(x);
-            to.colour[target] = mean_half4<kTaps>(from.colour, indices[0] + x, kRasterTile);
-            to.info[target] = from.info[indices[0][x]];
-            if constexpr (kLightBuffer) to.light[target] = from.light[indices[0][x]];
+            to.colour[target] = mean_half4<kTaps>(from.colour, indices[0] + place(x), kMost);
+            to.info[target] = from.info[indices[0][place(x)]];
+            if constexpr (kLightBuffer) to.light[target] = from.light[indices[0][place(x)]];
         }
     }
 };

@@ -37,8 +37,11 @@ struct ResolveCoarse {
     int y0;
     int tile_width;
 
-    RIG_HD void operator()(int y) const {
-        for (int x = 0; x < tile_width; ++x) {
+    RIG_HD void operator()(int y) const { span(y, 0, tile_width); }
+
+    /// Pixels [begin, end) of the row.
+    RIG_INLINE void span(int y, int begin, int end) const {
+        for (int x = begin; x < end; ++x) {
             const int at = y * kRasterStride + x;
             const int target = (y0 + y) * coarse.columns + x0 + x;
             const float inverse_depth = tile.inverse_depth[at];
@@ -85,8 +88,11 @@ struct MarkResampling {
                (fabsf(coarse.luminance[at] - coarse.luminance[neighbour]) > epsilon_luminance);
     }
 
-    RIG_HD void operator()(int row) const {
-        for (int column = 0; column < coarse.columns; ++column) {
+    RIG_HD void operator()(int row) const { span(row, 0, coarse.columns); }
+
+    /// Columns [begin, end) of the row.
+    RIG_INLINE void span(int row, int begin, int end) const {
+        for (int column = begin; column < end; ++column) {
             const int at = row * coarse.columns + column;
             const bool left = column > 0 && steps(at, at - 1);
             const bool right = column + 1 < coarse.columns && steps(at, at + 1);

@@ -56,7 +56,7 @@ struct StoreSamples {
                 diffuse = surfaces.get3(Row::diffuse_r, s);
                 const vec3 irradiance = surfaces.get3(Row::irradiance_r, s);
                 light = vec4(representable(irradiance), surfaces.at(Row::occlusion, s));
-                colour += lit(diffuse, irradiance, light.w, ambient, kOcclusion);
+                colour = with_light(colour, diffuse, irradiance, light.w, ambient, kOcclusion);
             }
         }
         if (!is_finite(colour)) {  // what is mixed again later must stay black too

@@ -52,6 +52,11 @@ RIG_INLINE vec2 scrambled_point(std::uint32_t i, std::uint32_t seed) {
             unit_float(sobol2(i) ^ hash32(seed ^ 0xB5297A4DU))};
 }
 
+/// Low-discrepancy jitter of a frame's primary rays within their pixels (oversampling).
+RIG_INLINE vec2 pixel_jitter_px(std::uint32_t frame) {
+    return scrambled_point(frame, 0x51ED27U) - vec2(0.5F);
+}
+
 /// Interleaved sampling (Keller and Heidrich 2001): the pixels of a 4x4 block use 16 different runs
 /// of the sequence, each block in another order, so that no grid shows. Rays of equal local
 /// direction come from pixels that are near, and can share a packet, without being neighbours.

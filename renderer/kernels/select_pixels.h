@@ -28,25 +28,28 @@ struct SelectPixels {
     int tile_width;
     std::uint8_t* flags;  ///< 64 a row
 
-    RIG_HD void operator()(int y) const {
+    RIG_HD void operator()(int y) const { span(y, 0, tile_width); }
+
+    /// Pixels [begin, end) of the row.
+    RIG_INLINE void span(int y, int begin, int end) const {
         std::uint8_t* const row = flags + y * 64;
         if (zone == TileZone::falloff)
-            draw<true>(y, row);
+            draw<true>(y, begin, end, row);
         else
-            draw<false>(y, row);
+            draw<false>(y, begin, end, row);
         if (resampled.marked != nullptr) {
             const std::uint8_t* const marked =
                 resampled.marked + resampled.row_of[y0 + y] * resampled.columns;
-            for (int x = 0; x < tile_width; ++x)
+            for (int x = begin; x < end; ++x)
                 row[x] |= marked[resampled.column_of[x0 + x]] != 0 ? kResampled : 0;
         }
         if (support_row[y0 + y] >= 0)
-            for (int x = 0; x < tile_width; ++x)
+            for (int x = begin; x < end; ++x)
                 row[x] |= support_column[x0 + x] >= 0 ? kSupportSample : 0;
     }
 
     template <bool kFalloff>
-    RIG_HD void draw(int y, std::uint8_t* row) const {
+    RIG_HD void draw(int y, int begin, int end, std::uint8_t* row) const {
         const float uniform = zone == TileZone::foveal ? 1.0F : foveal.p_min;
         const std::uint8_t uniform_flag = zone == TileZone::foveal ? kFovealSample : 0;
         const std::uint32_t row_seed = hash32(frame_seed + static_cast<std::uint32_t>(y0 + y));
@@ -56,9 +59,8 @@ struct SelectPixels {
         const vec3 g = gaze;
         const vec3 step = eye.step_x;
         const std::uint32_t first = static_cast<std::uint32_t>(x0);
-        const int n = tile_width;
 #pragma GCC ivdep
-        for (int x = 0; x < n; ++x) {
+        for (int x = begin; x < end; ++x) {
             const float xi = unit_float(hash32(row_seed ^ (first + static_cast<std::uint32_t>(x))));
             if constexpr (kFalloff) {
                 const float fx = static_cast<float>(x);

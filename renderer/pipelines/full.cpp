@@ -1,7 +1,7 @@
 #include "renderer/pipelines/full.h"
 
 #include "renderer/kernels/compose.h"
-#include "renderer/pipelines/eye_image.h"
+#include "renderer/pipelines/frame/eye_image.h"
 
 namespace foverig {
 namespace {

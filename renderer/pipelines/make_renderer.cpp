@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "renderer/pipelines/cuda_or_none.h"
 #include "renderer/pipelines/full.h"
 #include "renderer/pipelines/reference.h"
 #include "renderer/pipelines/reprojected.h"
@@ -13,7 +14,7 @@ std::vector<std::string> pipeline_names() {
     return {"full", "reference", "reprojected"};
 }
 std::vector<std::string> backend_names() {
-    return {"auto", "embree", "host-bvh"};
+    return {"auto", "embree", "host-bvh", "cuda"};
 }
 
 namespace {
@@ -27,10 +28,21 @@ void require_known(const char* key, const std::string& value,
 
 }  // namespace
 
+BackendChoice choose_backend(const RenderSettings& settings) {
+    require_known("backend", settings.backend, backend_names());
+    if (settings.backend != "auto") return {settings.backend, {}};
+    if (settings.pipeline == "reference")
+        return {"embree", "the reference renderer runs on the processor"};
+    const std::string why = why_no_gpu();
+    if (why.empty()) return {"cuda", "a GPU is there"};
+    return {"embree", why};
+}
+
 std::unique_ptr<Renderer> make_renderer(std::shared_ptr<const Scene> scene,
                                         const RenderSettings& settings) {
     require_known("pipeline", settings.pipeline, pipeline_names());
-    require_known("backend", settings.backend, backend_names());
+    if (choose_backend(settings).name == "cuda")
+        return make_gpu_renderer(std::move(scene), settings);
     if (settings.pipeline == "full")
         return std::make_unique<FullRenderer>(std::move(scene), settings);
     if (settings.pipeline == "reference")

@@ -4,7 +4,7 @@
 #include "renderer/effects/memory.h"
 #include "renderer/kernels/pixel.h"
 #include "renderer/kernels/surface.h"
-#include "renderer/pipelines/tile_grid.h"
+#include "renderer/kernels/tile_grid.h"
 #include "renderer/view.h"
 
 namespace foverig {
@@ -31,8 +31,6 @@ class OcclusionQueue {
 
     Part dense() const { return part(0, dense_); }
     Part sparse() const { return part(dense_, count_ - dense_); }
-
-    /// Samples of a sparse surface that share a packet: two groups of eight make a run of sixteen.
 
   private:
     Part part(int first, int n) const;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/pipelines/eye_image.h"
+#include "renderer/pipelines/frame/eye_image.h"
 
 namespace foverig {
 namespace {

@@ -1,14 +1,11 @@
 #include "renderer/pipelines/reprojected.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <stdexcept>
 
 #include "renderer/kernels/select_pixels.h"
-#include "renderer/pipelines/eye_image.h"
+#include "renderer/pipelines/frame/eye_image.h"
+#include "renderer/pipelines/frame/footprint_taps.h"
 
 namespace foverig {
 namespace {
@@ -33,12 +30,6 @@ TileZone zone_of(const TileRect& tile, const EyeRays& eye, const vec3& gaze,
     return TileZone::falloff;
 }
 
-/// Low-discrepancy jitter within a pixel for oversampling; zero without it.
-vec2 jitter_of(const EffectPlan& plan, std::uint32_t frame) {
-    if (!plan.on(Effect::oversampling)) return vec2(0.0F);
-    return scrambled_point(frame, 0x51ED27U) - vec2(0.5F);
-}
-
 }  // namespace
 
 ReprojectedRenderer::Scratch::Scratch(MemoryCount& memory, std::size_t blocks)
@@ -56,12 +47,9 @@ ReprojectedRenderer::ReprojectedRenderer(std::shared_ptr<const Scene> scene,
                                          const RenderSettings& settings)
     : core_(std::move(scene), settings),
       foveal_(settings.foveation.r0_deg, settings.foveation.r1_deg, settings.foveation.p_min) {
-    const int taps = settings.reprojection.footprint_samples;
-    if (taps != 1 && taps != 2 && taps != 4 && taps != 8)
-        throw std::invalid_argument(
-            fmt::format("reprojection.footprint_samples is {}; choose 1, 2, 4 or 8", taps));
+    require_known_taps(settings.reprojection.footprint_samples);
     taps_ = Buffer<float>(core_.memory().of(Effect::reprojection),
-                          static_cast<std::size_t>(taps) * 2 * kTapPeriod * kTapPeriod);
+                          tap_floats(settings.reprojection.footprint_samples));
 }
 
 void ReprojectedRenderer::prepare_eyes(const FrameInput& input) {
@@ -73,9 +61,7 @@ void ReprojectedRenderer::prepare_eyes(const FrameInput& input) {
                                                         core_.settings().reprojection, view);
             scratches_.clear();
         }
-        eyes_[i]->turn();
-        eyes_[i]->last_view = eyes_[i]->view;
-        eyes_[i]->view = view;
+        eyes_[i]->turn(view);
     }
     if (!scratches_.empty()) return;
     std::size_t blocks = 0;
@@ -83,24 +69,6 @@ void ReprojectedRenderer::prepare_eyes(const FrameInput& input) {
         blocks = std::max(blocks, static_cast<std::size_t>(eye->blocks().count));
     for (int i = 0; i < core_.backend().threads(); ++i)
         scratches_.emplace_back(core_.memory().of(Effect::reprojection), blocks);
-}
-
-/// Box-Muller over hashes: a normal pair for every tap and pixel of the 8x8 period.
-void ReprojectedRenderer::draw_taps(std::uint32_t frame_seed) {
-    const std::size_t plane = kTapPeriod * kTapPeriod;
-    const auto taps = static_cast<std::size_t>(tap_count());
-    const auto sigma = static_cast<float>(core_.settings().reprojection.footprint_sigma);
-    for (std::size_t tap = 0; tap < taps; ++tap) {
-        for (std::size_t i = 0; i < plane; ++i) {
-            const auto key = static_cast<std::uint32_t>(tap * plane + i);
-            const float u = unit_float(hash32(frame_seed ^ 0xA511E9B3U, 2 * key));
-            const float v = unit_float(hash32(frame_seed ^ 0xA511E9B3U, 2 * key + 1));
-            const float radius = sigma * std::sqrt(-2.0F * std::log1p(-u));
-            taps_[(2 * tap) * plane + i] = radius * std::cos(2.0F * std::numbers::pi_v<float> * v);
-            taps_[(2 * tap + 1) * plane + i] =
-                radius * std::sin(2.0F * std::numbers::pi_v<float> * v);
-        }
-    }
 }
 
 int ReprojectedRenderer::queue_pixels(Lane& lane, int thread, ReprojectedEye& eye,
@@ -159,7 +127,7 @@ void ReprojectedRenderer::trace_tiles(ReprojectedEye& eye, const EyeInput& input
                                       std::uint32_t frame) {
     ShadingFrame shading = core_.shading_frame(input.view);
     shading.pattern_seed = hash32(core_.settings().seed ^ 0x3C6EF372U, frame);
-    shading.jitter_px = jitter_of(core_.plan(), frame);
+    if (core_.plan().on(Effect::oversampling)) shading.jitter_px = pixel_jitter_px(frame);
     const std::uint32_t frame_seed = hash32(core_.settings().seed, frame);
     core_.backend().for_tiles(eye.grid.count(), [&](Lane& lane, int thread, int tile) {
         TileScratch& scratch = core_.scratch(thread);
@@ -174,7 +142,7 @@ FrameStats ReprojectedRenderer::render(const FrameInput& input) {
     core_.begin_frame(input);
     prepare_eyes(input);
     const std::uint32_t frame_seed = hash32(core_.settings().seed, input.frame);
-    draw_taps(frame_seed);
+    draw_taps(taps_.view(), core_.settings().reprojection.footprint_sigma, frame_seed);
     std::uint64_t all_pixels = 0;
     for (std::size_t i = 0; i < eyes_.size(); ++i) {
         ReprojectedEye& eye = *eyes_[i];

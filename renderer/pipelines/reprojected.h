@@ -35,7 +35,6 @@ class ReprojectedRenderer final : public Renderer {
 
     int tap_count() const { return core_.settings().reprojection.footprint_samples; }
     void prepare_eyes(const FrameInput& input);
-    void draw_taps(std::uint32_t frame_seed);
     void reproject_mesh(ReprojectedEye& eye);
     void find_resampling(ReprojectedEye& eye);
     void trace_tiles(ReprojectedEye& eye, const EyeInput& input, std::uint32_t frame);

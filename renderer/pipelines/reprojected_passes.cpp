@@ -3,22 +3,15 @@
 #include <cmath>
 
 #include "renderer/kernels/cache_update.h"
-#include "renderer/kernels/mesh_facing.h"
+#include "renderer/kernels/frame_raster.h"
 #include "renderer/kernels/post_process.h"
 #include "renderer/pipelines/reprojected.h"
 
 namespace foverig {
 
 void ReprojectedRenderer::reproject_mesh(ReprojectedEye& eye) {
-    const ReprojectVertices vertices{Reprojection(eye.last_view, eye.view),
-                                     eye.last_support().depth_m,
-                                     eye.source_x_px.data(),
-                                     eye.source_y_px.data(),
-                                     eye.coarse_grid.width_px,
-                                     eye.vertex_x_px.data(),
-                                     eye.vertex_y_px.data(),
-                                     eye.vertex_inverse_depth.data()};
-    core_.backend().launch("reproject_vertices", eye.coarse_grid.height_px, vertices, 32);
+    core_.backend().launch("reproject_vertices", eye.coarse_grid.height_px,
+                           eye.reproject_vertices(), 32);
     const BoundBlocks bounds{eye.mesh(),
                              eye.blocks(),
                              eye.grid.columns(),
@@ -27,17 +20,8 @@ void ReprojectedRenderer::reproject_mesh(ReprojectedEye& eye) {
                              static_cast<float>(eye.grid.width_px),
                              static_cast<float>(eye.grid.height_px)};
     core_.backend().launch("reproject_vertices", eye.coarse_grid.height_px - 1, bounds, 32);
-    const EyeView& last = eye.last_view;
-    const MeasureFacing facing{
-        eye.last_support().depth_m,
-        eye.source_x_px.data(),
-        eye.source_y_px.data(),
-        {(last.tan_left + last.tan_right) / static_cast<float>(last.width_px),
-         (last.tan_up + last.tan_down) / static_cast<float>(last.height_px)},
-        {-last.tan_left, -last.tan_up},
-        eye.coarse_grid.width_px,
-        eye.cell_facing.data()};
-    core_.backend().launch("measure_facing", eye.coarse_grid.height_px - 1, facing, 32);
+    core_.backend().launch("measure_facing", eye.coarse_grid.height_px - 1, eye.measure_facing(),
+                           32);
 }
 
 void ReprojectedRenderer::raster_tile(ReprojectedEye& eye, Scratch& scratch,
@@ -51,38 +35,27 @@ void ReprojectedRenderer::raster_tile(ReprojectedEye& eye, Scratch& scratch,
 }
 
 void ReprojectedRenderer::find_resampling(ReprojectedEye& eye) {
-    const float scale_x =
-        static_cast<float>(eye.coarse_grid.width_px) / static_cast<float>(eye.grid.width_px);
-    const float scale_y =
-        static_cast<float>(eye.coarse_grid.height_px) / static_cast<float>(eye.grid.height_px);
-    const SupportLookup lookup = eye.support_lookup();
+    const RasterFrame whole = eye.coarse_raster();
+    const ResolveCoarse resolve = eye.resolve_coarse({});
     const auto full_tile = [](float coarse_px, float scale, int tiles) {
         return tile_index(coarse_px / scale, 1.0F / kTile, tiles);
     };
     core_.backend().for_tiles(eye.coarse_grid.count(), [&](Lane& lane, int thread, int index) {
         const TileRect rect = eye.coarse_grid.rect(index);
         Scratch& scratch = scratches_[static_cast<std::size_t>(thread)];
-        const RasterFrame frame{eye.mesh(), scale_x,    scale_y,    rect.x0,
-                                rect.y0,    rect.width, rect.height};
+        const RasterFrame frame = frame_of_tile(whole, rect);
         const TileRange range{
-            full_tile(static_cast<float>(rect.x0), scale_x, eye.grid.columns()),
-            full_tile(static_cast<float>(rect.x0 + rect.width), scale_x, eye.grid.columns()),
-            full_tile(static_cast<float>(rect.y0), scale_y, eye.grid.rows()),
-            full_tile(static_cast<float>(rect.y0 + rect.height), scale_y, eye.grid.rows())};
+            full_tile(static_cast<float>(rect.x0), frame.scale_x, eye.grid.columns()),
+            full_tile(static_cast<float>(rect.x0 + rect.width), frame.scale_x, eye.grid.columns()),
+            full_tile(static_cast<float>(rect.y0), frame.scale_y, eye.grid.rows()),
+            full_tile(static_cast<float>(rect.y0 + rect.height), frame.scale_y, eye.grid.rows())};
         lane.launch("reproject_coarse", 1, [&](int) { raster_tile(eye, scratch, frame, range); });
-        lane.launch(
-            "reproject_coarse", rect.height,
-            ResolveCoarse{scratch.raster(), eye.coarse(), eye.last().colour, eye.grid.width_px,
-                          eye.grid.height_px, eye.cell_facing.data(), eye.coarse_grid.width_px,
-                          eye.coarse_grid.height_px, lookup.columns_per_px, lookup.rows_per_px,
-                          rect.x0, rect.y0, rect.width});
+        ResolveCoarse in_rect = in_tile(resolve, 0, rect);
+        in_rect.tile = scratch.raster();
+        lane.launch("reproject_coarse", rect.height, in_rect);
     });
-    const ReprojectionSettings& s = core_.settings().reprojection;
-    core_.backend().launch(
-        "mark_resampling", eye.coarse_grid.height_px,
-        MarkResampling{eye.coarse(), static_cast<float>(s.epsilon_depth),
-                       static_cast<float>(s.epsilon_lum), static_cast<float>(s.epsilon_grazing)},
-        32);
+    core_.backend().launch("mark_resampling", eye.coarse_grid.height_px,
+                           eye.mark_resampling(core_.settings().reprojection), 32);
 }
 
 template <bool kOcclusion, bool kLightBuffer>
@@ -96,8 +69,7 @@ void ReprojectedRenderer::combine_tile(Lane& lane, ReprojectedEye& eye, Scratch&
     if (eye.has_history) {
         const auto column = static_cast<std::uint8_t>(tile % eye.grid.columns());
         const auto row = static_cast<std::uint8_t>(tile / eye.grid.columns());
-        const RasterFrame raster_frame{eye.mesh(), 1.0F,       1.0F,       rect.x0,
-                                       rect.y0,    rect.width, rect.height};
+        const RasterFrame raster_frame = frame_of_tile(eye.image_raster(), rect);
         lane.launch("reproject_raster", 1, [&](int) {
             raster_tile(eye, scratch, raster_frame, {column, column, row, row});
         });
@@ -165,17 +137,14 @@ void ReprojectedRenderer::combine_tiles(ReprojectedEye& eye, std::uint32_t frame
 void ReprojectedRenderer::post_process(ReprojectedEye& eye, std::uint32_t frame_seed) {
     const ReprojectionSettings& s = core_.settings().reprojection;
     const LightingSettings& lighting = core_.settings().lighting;
-    const auto noise_of = [](int samples) {
-        return 0.5F / std::sqrt(static_cast<float>(std::max(1, samples)));
-    };
     core_.backend().for_tiles(eye.grid.count(), [&](Lane& lane, int, int tile) {
         const auto run = [&]<bool kOcclusion>() {
             lane.launch(
                 "post_process", eye.sample_counts[static_cast<std::size_t>(tile)],
                 PostProcess<kOcclusion>{
                     eye.samples(tile), eye.current(), eye.resampled(), eye.coarse().inverse_depth,
-                    static_cast<float>(s.epsilon_cache), noise_of(lighting.area_samples),
-                    noise_of(lighting.ao_samples), core_.scene().ambient, s.post_samples,
+                    static_cast<float>(s.epsilon_cache), light_noise(lighting.area_samples),
+                    light_noise(lighting.ao_samples), core_.scene().ambient, s.post_samples,
                     s.post_search_px, frame_seed, eye.grid.width_px, eye.grid.height_px});
         };
         if (core_.plan().on(Effect::ambient_occlusion))

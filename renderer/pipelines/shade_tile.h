@@ -4,7 +4,7 @@
 #include "renderer/backends/cpu/cpu_backend.h"
 #include "renderer/effects/plan.h"
 #include "renderer/kernels/camera_rays.h"
-#include "renderer/pipelines/light_tables.h"
+#include "renderer/pipelines/frame/light_tables.h"
 #include "renderer/pipelines/tile_scratch.h"
 
 namespace foverig {

@@ -2,8 +2,8 @@
 #include "renderer/effects/memory.h"
 #include "renderer/kernels/pixel.h"
 #include "renderer/kernels/surface.h"
+#include "renderer/kernels/tile_grid.h"
 #include "renderer/pipelines/occlusion_queue.h"
-#include "renderer/pipelines/tile_grid.h"
 #include "renderer/renderer.h"
 #include "renderer/trace/ray.h"
 

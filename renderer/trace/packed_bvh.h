@@ -1,6 +1,7 @@
 #pragma once
 // The compressed wide BVH of Ylitie, Karras and Laine 2017 ("Efficient Incoherent Ray Traversal on
 // GPUs Through Compressed Wide BVHs"): the layout that host and device read.
+#include <bit>
 #include <cstdint>
 
 #include "renderer/trace/box.h"
@@ -45,7 +46,17 @@ static_assert(sizeof(PackedTriangle) == 48);
 struct BvhView {
     View<const WideNode> nodes;  ///< nodes[0] is the root; empty: nothing to hit
     View<const PackedTriangle> triangles;
-    Box bounds;  ///< of all that it holds
 };
+
+/// All that the node's grid reaches, which holds every child's box.
+RIG_HD inline Box grid_box(const WideNode& node) {
+    Box box;
+    for (int a = 0; a < 3; ++a) {
+        box.min_m[a] = node.origin_m[a];
+        box.max_m[a] = node.origin_m[a] +
+                       255.0F * std::bit_cast<float>(std::uint32_t{node.exponent[a]} << 23U);
+    }
+    return box;
+}
 
 }  // namespace foverig

@@ -2,8 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <png.h>
 #include <unistd.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <fstream>
@@ -51,12 +53,46 @@ class ImageRead : public testing::Test {
     fs::path root_;
 };
 
+/// 16 bits a channel, with alpha; two pixels in a row.
+std::string png16(const std::array<std::uint16_t, 8>& codes) {
+    std::string bytes;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_set_write_fn(
+        png, &bytes,
+        [](png_structp p, png_bytep data, std::size_t size) {
+            static_cast<std::string*>(png_get_io_ptr(p))
+                ->append(reinterpret_cast<const char*>(data), size);
+        },
+        nullptr);
+    png_set_IHDR(png, info, 2, 1, 16, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_write_info(png, info);
+    png_set_swap(png);
+    png_write_row(png, reinterpret_cast<png_const_bytep>(codes.data()));
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    return bytes;
+}
+
 std::string float_bytes(float value, bool big_endian) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     std::string bytes;
     for (unsigned i = 0; i < 4; ++i)
         bytes += static_cast<char>(bits >> (8U * (big_endian ? 3U - i : i)));
     return bytes;
+}
+
+TEST_F(ImageRead, ReadsSixteenBitsByTheCurveOfSrgbOverBlack) {
+    const std::string bytes = png16({1000, 2570, 32768, 65535, 65535, 40000, 0, 32768});
+    const Image image = read(bytes).image;
+    ASSERT_EQ(image.pixels.size(), 2U);
+    // IEC 61966-2-1 by hand: below 0.04045 a straight line, where a power of 2.2 is far off.
+    EXPECT_NEAR(image.pixels[0].x, 1000.0 / 65535.0 / 12.92, 1e-7);
+    EXPECT_NEAR(image.pixels[0].y, 2570.0 / 65535.0 / 12.92, 1e-7);
+    EXPECT_NEAR(image.pixels[0].z, std::pow((32768.0 / 65535.0 + 0.055) / 1.055, 2.4), 1e-6);
+    EXPECT_NEAR(image.pixels[1].x, 32768.0 / 65535.0, 1e-6);
+    EXPECT_THAT(complaint(bytes.substr(0, bytes.size() - 30)), HasSubstr("libpng rejects"));
 }
 
 TEST_F(ImageRead, GivesBackWhatWePutIntoPngAndExr) {

@@ -10,8 +10,9 @@ namespace {
 constexpr std::size_t kMostPasses = 4096;     ///< of one frame that trace
 constexpr std::size_t kMostRays = 1U << 31U;  ///< of one queue
 
-Stream stream_on_usable_device() {
-    device_info();
+Stream stream_on(int device) {
+    device_info(device);
+    check(cudaSetDevice(device), "cudaSetDevice");
     return make_stream();
 }
 
@@ -27,12 +28,47 @@ int multiprocessors() {
 }  // namespace
 
 CudaBackend::CudaBackend(const SceneView& scene, const BvhView& bvh, bool holes)
-    : stream_(stream_on_usable_device()),
+    : stream_(stream_on(device_)),
       multiprocessors_(multiprocessors()),
       holes_(holes),
       scene_(memory_, scene, bvh, stream_.get()),
       counters_(memory_, kMostPasses),
-      number_(memory_, 1) {}
+      numbers_(memory_, kMostNumbers) {}
+
+CudaBackend::CudaBackend(const host_bvh::HostBvhScene& scene, int device, bool graphs)
+    : device_(device),
+      graphs_(graphs),
+      stream_(stream_on(device)),
+      multiprocessors_(multiprocessors()),
+      holes_(scene.holes()),
+      scene_(memory_, scene.view(), scene.bvh().view(), stream_.get(), scene.bvh().plan()),
+      counters_(memory_, kMostPasses),
+      numbers_(memory_, kMostNumbers) {}
+
+View<const Half4> CudaBackend::on_host(View<const Half4> image, int eye) {
+    PinnedArray<Half4>& to = images_.at(static_cast<std::size_t>(eye));
+    if (to.view().size != image.size) to = PinnedArray<Half4>(pinned_, image.size);
+    copy_to_host(to.view().data, image);
+    return to.view();
+}
+
+void CudaBackend::set_time(host_bvh::HostBvhScene& scene, double time_s) {
+    if (!scene_.moves()) return;
+    scene.move_vertices(time_s);
+    scene_.stage(scene.view());
+    moved_ = true;
+}
+
+std::vector<int> CudaBackend::take_numbers() {
+    return download(View<const int>{numbers_.data(), numbers_used_});
+}
+
+int* CudaBackend::next_number() {
+    if (numbers_used_ == kMostNumbers)
+        throw CudaError("a frame has more than " + std::to_string(kMostNumbers) +
+                        " queues of a length that is found on the device");
+    return numbers_.data() + numbers_used_++;
+}
 
 int CudaBackend::resident_blocks(const void* kernel, std::size_t rays) {
     if (rays >= kMostRays)

@@ -1,11 +1,11 @@
 #pragma once
-#include <stdexcept>
+#include "renderer/backend_error.h"
 
 namespace foverig::cuda {
 
 /// A call of the CUDA runtime failed: which, where and why.
-struct CudaError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct CudaError : BackendError {
+    using BackendError::BackendError;
 };
 
 /// There is no GPU that this program can use: no driver, no device, or none that it was built for.

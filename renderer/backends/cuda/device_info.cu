@@ -17,22 +17,28 @@ int attribute(cudaDeviceAttr which, int device) {
     return value;
 }
 
-int current_device() {
+void require(int device) {
     int count = 0;
     const cudaError_t error = cudaGetDeviceCount(&count);
     if (error != cudaSuccess || count == 0)
         throw NoGpuError(std::string("no GPU that CUDA can use: ") +
                          (error != cudaSuccess ? cudaGetErrorString(error) : "no device is there") +
                          "; run this where nvidia-smi lists a GPU");
-    int device = 0;
-    check(cudaGetDevice(&device), "cudaGetDevice");
-    return device;
+    if (device >= count)
+        throw NoGpuError("GPU " + std::to_string(device) + " is not there: this machine has " +
+                         std::to_string(count) + ", counted from 0");
+    check(cudaSetDevice(device), "cudaSetDevice");
 }
 
 }  // namespace
 
-DeviceInfo device_info() {
-    const int device = current_device();
+int device_count() {
+    int count = 0;
+    return cudaGetDeviceCount(&count) == cudaSuccess ? count : 0;
+}
+
+DeviceInfo device_info(int device) {
+    require(device);
     cudaDeviceProp properties{};
     check(cudaGetDeviceProperties(&properties, device), "cudaGetDeviceProperties");
     cudaFuncAttributes code{};

@@ -16,8 +16,11 @@ struct DeviceInfo {
     std::string runtime;  ///< the CUDA that this program was built with
 };
 
-/// The current device. Throws NoGpuError with one sentence where there is no driver, no device, or
-/// none that this program has code for.
-DeviceInfo device_info();
+/// Throws NoGpuError with one sentence where there is no driver, no such device, or none that this
+/// program has code for. The device becomes the current one.
+DeviceInfo device_info(int device = 0);
+
+/// Devices of this machine; 0 where there is no driver.
+int device_count();
 
 }  // namespace foverig::cuda

@@ -8,7 +8,8 @@ namespace foverig::cuda {
 inline constexpr int kScanThreads = 1024;
 
 template <class Keep>
-__global__ void __launch_bounds__(kThreads) count_kept(Keep keep, int n, int* counts) {
+__global__ void __launch_bounds__(kThreads) count_kept(Keep keep, QueueSize size, int* counts) {
+    const int n = size.get();
     const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
     const int kept = __syncthreads_count(i < n && keep(i) ? 1 : 0);
     if (threadIdx.x == 0) counts[blockIdx.x] = kept;
@@ -44,7 +45,8 @@ static __global__ void __launch_bounds__(kScanThreads)
 /// on_place(i, place of the i-th element among the kept ones, or -1).
 template <class Keep, class OnPlace>
 __global__ void __launch_bounds__(kThreads)
-    give_places(Keep keep, OnPlace on_place, int n, const int* before_block) {
+    give_places(Keep keep, OnPlace on_place, QueueSize size, const int* before_block) {
+    const int n = size.get();
     __shared__ int warps[kThreads / kWarp];
     const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
     const bool kept = i < n && keep(i);

@@ -16,13 +16,18 @@ class PassClock {
         std::int64_t ns;
     };
 
+    /// From now on the stream is captured, or not: an event of a graph is recorded another way.
+    void set_captured(bool captured) {
+        flags_ = captured ? cudaEventRecordExternal : cudaEventRecordDefault;
+    }
     void begin(const char* name, int counter, cudaStream_t stream) {
         if (used_ == events_.size()) events_.push_back({make_event(), make_event()});
         names_.push_back({name, counter, 0});
-        check(cudaEventRecord(events_[used_].begin.get(), stream), name);
+        check(cudaEventRecordWithFlags(events_[used_].begin.get(), stream, flags_), name);
     }
     void end(cudaStream_t stream) {
-        check(cudaEventRecord(events_[used_].end.get(), stream), names_.back().name);
+        check(cudaEventRecordWithFlags(events_[used_].end.get(), stream, flags_),
+              names_.back().name);
         ++used_;
     }
     /// Passes since the last call, in order. The stream must have been waited for.
@@ -45,6 +50,7 @@ class PassClock {
     std::vector<Pair> events_;
     std::vector<Pass> names_;
     std::size_t used_ = 0;
+    unsigned flags_ = cudaEventRecordDefault;
 };
 
 }  // namespace foverig::cuda

@@ -58,13 +58,23 @@ __global__ void __launch_bounds__(kThreads, kTracingBlocks)
     if (blockIdx.x == 0 && threadIdx.x == 0) counter->traced = n;
 }
 
+/// What came of a slot's rays, by sample.
+struct Shares {
+    const float* of_first;  ///< of the slot's first sample
+    std::size_t stride;
+
+    __device__ float operator()(int sample) const {
+        return of_first[static_cast<std::size_t>(sample) * stride];
+    }
+};
+
 /// Ray k is sample k / n of slot k % n, so that the lanes of a warp have neighbouring surfaces and
 /// one sample number. `shares`[k] becomes its weight if it is visible, else 0; without shares there
-/// is one sample a slot, which goes straight to `on_sum`.
-template <bool kAlpha, class MakeRay, class OnSum>
+/// is one sample a slot, which goes straight to `on_shares`.
+template <bool kAlpha, class MakeRay, class OnShares>
 __global__ void __launch_bounds__(kThreads, kTracingBlocks)
     trace_visible(TracedView scene, QueueSize size, int samples, QueueCounter* counter,
-                  float* shares, MakeRay make_ray, OnSum on_sum) {
+                  float* shares, MakeRay make_ray, OnShares on_shares) {
     const auto n = static_cast<unsigned>(size.get());
     const unsigned rays = n * static_cast<unsigned>(samples);
     unsigned traced = 0;
@@ -81,7 +91,7 @@ __global__ void __launch_bounds__(kThreads, kTracingBlocks)
             if (shares != nullptr)
                 shares[k] = share;
             else
-                on_sum(slot, share);
+                on_shares(slot, [share](int) { return share; });
         }
         traced += static_cast<unsigned>(__popc(__ballot_sync(kAllLanes, asked)));
     }
@@ -89,18 +99,12 @@ __global__ void __launch_bounds__(kThreads, kTracingBlocks)
         atomicAdd(&counter->traced, static_cast<unsigned long long>(traced));
 }
 
-/// Sums in the order of the samples, as the host does.
-template <class OnSum>
+template <class OnShares>
 __global__ void __launch_bounds__(kThreads)
-    sum_shares(QueueSize size, int samples, const float* shares, OnSum on_sum) {
+    give_shares(QueueSize size, const float* shares, OnShares on_shares) {
     const int n = size.get();
     const int slot = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
-    if (slot >= n) return;
-    float sum = 0.0F;
-    for (int sample = 0; sample < samples; ++sample)
-        sum += shares[static_cast<std::size_t>(sample) * static_cast<std::size_t>(n) +
-                      static_cast<std::size_t>(slot)];
-    on_sum(slot, sum);
+    if (slot < n) on_shares(slot, Shares{shares + slot, static_cast<std::size_t>(n)});
 }
 
 }  // namespace foverig::cuda

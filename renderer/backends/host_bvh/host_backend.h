@@ -2,12 +2,14 @@
 // Whole queues on one thread of the host: the twin of cuda/cuda_backend.cuh, pass by pass, by which
 // what runs on the GPU is tested where there is none.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <utility>
 #include <vector>
 
 #include "renderer/backends/host_bvh/queues.h"
 #include "renderer/buffer.h"
+#include "renderer/half.h"
 #include "renderer/pass_table.h"
 #include "renderer/queue_size.h"
 
@@ -18,8 +20,13 @@ class HostBackend {
     template <class T>
     using Array = Buffer<T>;
 
+    static constexpr const char* kName = "host-bvh";
+
     /// Borrows the scene.
     explicit HostBackend(const HostBvhScene& scene) : scene_(scene) {}
+
+    /// For backends that have a device to choose.
+    void enter() const {}
 
     const SceneView& view() const { return scene_.view(); }
 
@@ -28,8 +35,38 @@ class HostBackend {
         std::copy(from.begin(), from.end(), to.data());
     }
     template <class T>
+    std::vector<T> download(View<const T> from) const {
+        return {from.begin(), from.end()};
+    }
+    template <class T>
     std::vector<T> download(const Array<T>& from) const {
-        return {from.view().begin(), from.view().end()};
+        return download(from.view());
+    }
+
+    /// An eye's image where the host can read it, until the next frame.
+    View<const Half4> on_host(View<const Half4> image, int /*eye*/) const { return image; }
+
+    bool copy_to_texture(View<const Half4> /*image*/, int /*width_px*/, int /*height_px*/,
+                         int /*eye*/, unsigned int /*gl_texture*/) {
+        return false;
+    }
+
+    /// Moves what moves, in the scene that it borrows, to where it is at a time.
+    void set_time(HostBvhScene& scene, double time_s) {
+        timed("move_geometry", [&] {
+            scene.set_time(time_s);
+            return std::uint64_t{0};
+        });
+    }
+    /// Memory of its own besides the scene and arrays.
+    std::uint64_t bytes() const { return 0; }
+
+    /// All passes of a frame. `as_before`: they are those of the frame before, over arrays of the
+    /// same size and place.
+    template <class Passes>
+    void frame(bool /*as_before*/, const Passes& passes) {
+        numbers_used_ = 0;
+        passes();
     }
 
     /// kernel(i) for i in [0, size).
@@ -41,16 +78,21 @@ class HostBackend {
         });
     }
 
-    /// Places of the elements that keep(i) keeps: on_place(i, place or -1). The size holds until
-    /// the next call.
+    /// Places of the elements that keep(i) keeps: on_place(i, place or -1). Their number holds
+    /// until the next frame.
     template <class Keep, class OnPlace>
-    QueueSize number(const char* name, int n, const Keep& keep, const OnPlace& on_place) {
-        number_ = 0;
+    QueueSize number(const char* name, QueueSize size, const Keep& keep, const OnPlace& on_place) {
+        int& number = numbers_.at(numbers_used_++);
+        number = 0;
         timed(name, [&] {
-            for (int i = 0; i < n; ++i) on_place(i, keep(i) ? number_++ : -1);
+            for (int i = 0; i < size.get(); ++i) on_place(i, keep(i) ? number++ : -1);
             return std::uint64_t{0};
         });
-        return {n, &number_};
+        return {size.most, &number};
+    }
+    /// What the frame's calls of number() came to, in their order.
+    std::vector<int> take_numbers() {
+        return {numbers_.begin(), numbers_.begin() + static_cast<std::ptrdiff_t>(numbers_used_)};
     }
 
     /// make_ray(i) -> Ray; on_hit(i, Hit).
@@ -62,12 +104,27 @@ class HostBackend {
         });
     }
 
-    /// make_ray(slot, sample) -> WeightedRay; on_sum(slot, sum of the weights of visible samples).
-    template <class MakeRay, class OnSum>
+    /// make_ray(slot, sample) -> WeightedRay; on_shares(slot, shares), where shares(sample) is the
+    /// weight of that ray if nothing is in its way, else 0.
+    template <class MakeRay, class OnShares>
     void visible(const char* name, QueueSize size, int samples, const MakeRay& make_ray,
-                 const OnSum& on_sum) {
-        timed(name,
-              [&] { return host_bvh::visible(scene_, size.get(), samples, make_ray, on_sum); });
+                 const OnShares& on_shares) {
+        timed(name, [&] {
+            shares_.resize(static_cast<std::size_t>(samples));
+            std::uint64_t traced = 0;
+            for (int slot = 0; slot < size.get(); ++slot) {
+                for (int sample = 0; sample < samples; ++sample) {
+                    const WeightedRay r = make_ray(slot, sample);
+                    const bool asked = r.weight > 0.0F;
+                    traced += asked ? 1U : 0U;
+                    shares_[static_cast<std::size_t>(sample)] =
+                        asked && !scene_.occluded(r.ray) ? r.weight : 0.0F;
+                }
+                on_shares(slot,
+                          [&](int sample) { return shares_[static_cast<std::size_t>(sample)]; });
+            }
+            return traced;
+        });
     }
 
     /// Times and rays of the passes since the last call.
@@ -87,7 +144,9 @@ class HostBackend {
     }
 
     const HostBvhScene& scene_;
-    int number_ = 0;
+    std::array<int, kMostNumbers> numbers_{};
+    std::size_t numbers_used_ = 0;
+    std::vector<float> shares_;  ///< of one slot
     PassTable passes_;
 };
 

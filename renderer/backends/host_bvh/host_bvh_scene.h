@@ -25,9 +25,12 @@ class HostBvhScene {
 
     const SceneView& view() const { return posed_.view(); }
     const SceneBvh& bvh() const { return bvh_; }
+    bool holes() const { return holes_; }  ///< some triangle is alpha tested
 
     /// Moves the parts that have a motion and refits; nothing to do in a static scene.
     void set_time(double time_s);
+    /// Only the vertices: for whoever refits a copy of the tree. Rays see the scene as it was.
+    void move_vertices(double time_s) { posed_.set_time(time_s); }
 
     SceneBytes bytes() const;
 

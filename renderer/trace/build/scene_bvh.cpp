@@ -13,13 +13,9 @@ namespace {
 
 /// The longest way through a lower tree, and what is left for the upper one.
 constexpr std::size_t kLowerLevels = 40;
-constexpr int kUpperSahLevels = 8;
 
-bool in_range(const Corners& corners) {
-    for (const vec3& p : corners)
-        for (int a = 0; a < 3; ++a)
-            if (!(p[a] < kFarthest_m && p[a] > -kFarthest_m)) return false;
-    return true;
+bool all_in_range(const Corners& corners) {
+    return in_range(corners[0]) && in_range(corners[1]) && in_range(corners[2]);
 }
 
 PackedTriangle packed(const Corners& corners, std::uint32_t number, bool masked) {
@@ -43,108 +39,146 @@ WideTree packed_tree(std::span<const Corners> corners, const BuildBinary& build)
 
 }  // namespace
 
+/// A tree whose numbers of nodes and triangles count from 0.
+struct SceneBvh::Lower {
+    WideTree tree;
+    std::vector<PackedTriangle> triangles;
+    Box box;
+    VertexRun vertices;  ///< of the part that moves
+
+    int levels() const { return static_cast<int>(tree.level_ends.size()); }
+    std::uint32_t nodes_on(std::size_t level) const {
+        if (level >= tree.level_ends.size()) return 0;
+        return tree.level_ends[level] - (level == 0 ? 0U : tree.level_ends[level - 1]);
+    }
+};
+
 SceneBvh::SceneBvh(const Scene& scene, View<const vec3> positions_m,
                    std::span<const std::size_t> moving_parts, bool alpha_test,
                    const BuildBinary& build_still)
     : corners_(view_of(scene.triangles)) {
     RIG_CHECK(scene.triangles.size() < kMaskedBit, "a triangle's number fits into its tag");
-    std::vector<const Part*> still;
-    std::vector<const Part*> moving;
+    std::vector<const Part*> still_parts;
+    std::vector<Lower> moving;
+    std::size_t found = 0;
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-        const bool moves = moving.size() < moving_parts.size() && moving_parts[moving.size()] == i;
-        (moves ? moving : still).push_back(&scene.parts[i]);
+        const Part* const part = &scene.parts[i];
+        if (found == moving_parts.size() || moving_parts[found] != i) {
+            still_parts.push_back(part);
+            continue;
+        }
+        ++found;
+        Lower lower = lower_of({&part, 1}, positions_m, alpha_test, build_binned_triangles);
+        lower.vertices = {part->first_vertex, part->vertex_count};
+        if (lower.levels() > 0) moving.push_back(std::move(lower));
     }
-    upper_capacity_ = moving.empty() ? 0 : 2 * (moving.size() + 1);
-    nodes_.resize(upper_capacity_);
-    add_lower(still, positions_m, alpha_test, build_still);
-    first_moving_ = lowers_.size();
-    first_moving_node_ = nodes_.size();
-    for (const Part* part : moving)
-        add_lower({&part, 1}, positions_m, alpha_test, build_binned_triangles);
-    boxes_.resize(nodes_.size() - first_moving_node_);
-    for (const Lower& lower : lowers_) levels_ = std::max(levels_, lower.levels);
-    if (!moving.empty()) refit(positions_m);
-    RIG_CHECK(levels_ <= kMostLevelsOfNodes, "a traversal's stack holds the longest way: {}",
-              levels_);
+    const Lower still = lower_of(still_parts, positions_m, alpha_test, build_still);
+    if (!moving.empty()) plan_.upper.reserve(moving.size());
+    nodes_.resize(plan_.upper.capacity());
+    levels_ = still.levels();
+    if (levels_ > 0)
+        plan_.upper.add_still(static_cast<std::uint32_t>(nodes_.size()), levels_, still.box);
+    append({&still, 1});
+    if (moving.empty()) return;
+    plan_refits(moving);
+    refit(positions_m);
 }
 
-void SceneBvh::add_lower(std::span<const Part* const> parts, View<const vec3> positions_m,
-                         bool alpha_test, const BuildBinary& build) {
+SceneBvh::Lower SceneBvh::lower_of(std::span<const Part* const> parts, View<const vec3> positions_m,
+                                   bool alpha_test, const BuildBinary& build) const {
     std::vector<Corners> corners;
     std::vector<std::uint32_t> numbers;
     std::vector<bool> masked;
+    Lower lower;
     for (const Part* part : parts) {
         for (std::uint32_t i = 0; i < part->triangle_count; ++i) {
             const std::uint32_t number = part->first_triangle + i;
             const uvec3 c = corners_[number];
             const Corners at{positions_m[c.x], positions_m[c.y], positions_m[c.z]};
-            if (!in_range(at)) continue;
+            if (!all_in_range(at)) continue;
             corners.push_back(at);
             numbers.push_back(number);
             masked.push_back(part->alpha_masked && alpha_test);
+            lower.box.grow(box_of(at));
         }
     }
-    if (corners.empty()) return;
-    const WideTree tree = packed_tree(corners, build);
-    Lower lower{static_cast<std::uint32_t>(nodes_.size()),
-                static_cast<std::uint32_t>(tree.nodes.size()),
-                static_cast<std::uint32_t>(triangles_.size()),
-                static_cast<std::uint32_t>(tree.primitives.size()),
-                static_cast<int>(tree.level_ends.size()),
-                {}};
-    for (const Corners& at : corners) lower.box.grow(box_of(at));
-    for (const std::uint32_t p : tree.primitives)
-        triangles_.push_back(packed(corners[p], numbers[p], masked[p]));
-    for (WideNode node : tree.nodes) {
-        node.first_child += lower.first_node;
-        node.first_triangle += lower.first_triangle;
-        nodes_.push_back(node);
+    if (corners.empty()) return lower;
+    lower.tree = packed_tree(corners, build);
+    lower.triangles.reserve(lower.tree.primitives.size());
+    for (const std::uint32_t p : lower.tree.primitives)
+        lower.triangles.push_back(packed(corners[p], numbers[p], masked[p]));
+    return lower;
+}
+
+/// Level by level, so that a level of all trees is one range of nodes. Returns the levels' ends.
+std::vector<std::uint32_t> SceneBvh::append(std::span<const Lower> lowers) {
+    std::vector<std::uint32_t> first_triangle;
+    std::size_t deepest = 0;
+    for (const Lower& lower : lowers) {
+        first_triangle.push_back(static_cast<std::uint32_t>(triangles_.size()));
+        triangles_.insert(triangles_.end(), lower.triangles.begin(), lower.triangles.end());
+        deepest = std::max(deepest, lower.tree.level_ends.size());
     }
-    lowers_.push_back(lower);
+    std::vector<std::uint32_t> level_ends;
+    for (std::size_t level = 0; level < deepest; ++level) {
+        auto end = static_cast<std::uint32_t>(nodes_.size());
+        for (const Lower& lower : lowers) end += lower.nodes_on(level);
+        std::uint32_t child = end;  // where the next tree's children of this level begin
+        for (std::size_t i = 0; i < lowers.size(); ++i) {
+            if (lowers[i].nodes_on(level) == 0) continue;
+            const WideTree& tree = lowers[i].tree;
+            const std::uint32_t tree_end = tree.level_ends[level];
+            for (std::uint32_t n = tree_end - lowers[i].nodes_on(level); n < tree_end; ++n) {
+                WideNode node = tree.nodes[n];
+                node.first_child += child - tree_end;
+                node.first_triangle += first_triangle[i];
+                nodes_.push_back(node);
+            }
+            child += lowers[i].nodes_on(level + 1);
+        }
+        level_ends.push_back(end);
+    }
+    return level_ends;
+}
+
+void SceneBvh::plan_refits(std::span<const Lower> moving) {
+    plan_.first_node = static_cast<std::uint32_t>(nodes_.size());
+    plan_.first_triangle = static_cast<std::uint32_t>(triangles_.size());
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+        const VertexRun& run = moving[i].vertices;
+        plan_.upper.add_moving(plan_.first_node + static_cast<std::uint32_t>(i), moving[i].levels(),
+                               run);
+        std::vector<VertexRun>& runs = plan_.vertices;
+        if (!runs.empty() && runs.back().first + runs.back().count == run.first)
+            runs.back().count += run.count;
+        else
+            runs.push_back(run);
+    }
+    plan_.level_ends = append(moving);
+    plan_.triangle_count = static_cast<std::uint32_t>(triangles_.size()) - plan_.first_triangle;
+    boxes_.resize(plan_.node_count());
+    upper_.resize(plan_.upper.capacity());
+    roots_.resize(plan_.upper.capacity());
 }
 
 void SceneBvh::refit(View<const vec3> positions_m) {
-    for (std::size_t i = first_moving_; i < lowers_.size(); ++i) refit(lowers_[i], positions_m);
-    if (upper_capacity_ > 0) build_upper();
-}
-
-void SceneBvh::refit(Lower& lower, View<const vec3> positions_m) {
-    const View<PackedTriangle> triangles = view_of(triangles_);
-    const MoveTriangles move{
-        positions_m, corners_, {triangles.data + lower.first_triangle, lower.triangle_count}};
-    for (std::uint32_t i = 0; i < lower.triangle_count; ++i) move(static_cast<int>(i));
-    const View<Box> boxes{boxes_.data() - first_moving_node_, nodes_.size()};
-    const RefitNodes refit_node{view_of(nodes_), boxes, triangles};
-    for (std::uint32_t i = lower.node_count; i-- > 0;)
-        refit_node(static_cast<int>(lower.first_node + i));
-    lower.box = boxes[lower.first_node];
-}
-
-void SceneBvh::build_upper() {
-    std::vector<Box> boxes;
-    for (const Lower& lower : lowers_) boxes.push_back(lower.box);
-    const WideTree tree = pack(build_binned(boxes, kUpperSahLevels), Primitives::nodes);
-    RIG_CHECK(tree.nodes.size() <= upper_capacity_, "{} trees have few nodes above them: {}",
-              lowers_.size(), tree.nodes.size());
-    int deepest = 0;
-    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-        const std::uint32_t p = tree.primitives[i];
-        nodes_[i] = p == kNoPrimitive ? tree.nodes[i] : nodes_[lowers_[p].first_node];
-        if (p != kNoPrimitive) deepest = std::max(deepest, lowers_[p].levels);
-    }
-    levels_ = static_cast<int>(tree.level_ends.size()) + deepest - 1;
+    if (!plan_.moves()) return;
+    levels_ = plan_.upper.build(positions_m, view_of(upper_), view_of(roots_));
+    refit_passes(plan_,
+                 {positions_m, corners_, view_of(nodes_), view_of(triangles_), view_of(boxes_),
+                  view_of(upper_), view_of(roots_)},
+                 [](const char* /*name*/, int n, const auto& kernel) {
+                     for (int i = 0; i < n; ++i) kernel(i);
+                 });
 }
 
 BvhView SceneBvh::view() const {
-    if (lowers_.empty()) return {};
-    Box all;
-    for (const Lower& lower : lowers_) all.grow(lower.box);
-    return {view_of(nodes_), view_of(triangles_), all};
+    return {view_of(nodes_), view_of(triangles_)};
 }
 
 std::uint64_t SceneBvh::bytes() const {
-    return nodes_.capacity() * sizeof(WideNode) + triangles_.capacity() * sizeof(PackedTriangle) +
-           boxes_.capacity() * sizeof(Box);
+    const auto of = [](const auto& v) { return v.capacity() * sizeof v[0]; };
+    return of(nodes_) + of(triangles_) + of(boxes_) + of(upper_) + of(roots_);
 }
 
 }  // namespace foverig

@@ -1,7 +1,7 @@
 #pragma once
 #include "renderer/scene/scene.h"
 #include "renderer/trace/build/binary_bvh.h"
-#include "renderer/trace/packed_bvh.h"
+#include "renderer/trace/build/refit_plan.h"
 
 namespace foverig {
 
@@ -22,31 +22,24 @@ class SceneBvh {
     void refit(View<const vec3> positions_m);
 
     BvhView view() const;
+    const RefitPlan& plan() const { return plan_; }
     int levels() const { return levels_; }  ///< of nodes on the longest way from the root
     std::uint64_t bytes() const;
 
   private:
-    struct Lower {
-        std::uint32_t first_node;
-        std::uint32_t node_count;
-        std::uint32_t first_triangle;
-        std::uint32_t triangle_count;
-        int levels;
-        Box box;
-    };
-    void add_lower(std::span<const Part* const> parts, View<const vec3> positions_m,
-                   bool alpha_test, const BuildBinary& build);
-    void refit(Lower& lower, View<const vec3> positions_m);
-    void build_upper();
+    struct Lower;
+    Lower lower_of(std::span<const Part* const> parts, View<const vec3> positions_m,
+                   bool alpha_test, const BuildBinary& build) const;
+    std::vector<std::uint32_t> append(std::span<const Lower> lowers);
+    void plan_refits(std::span<const Lower> moving);
 
     View<const uvec3> corners_;
-    std::size_t upper_capacity_ = 0;  ///< nodes before those of the lower trees
-    std::vector<WideNode> nodes_;
+    std::vector<WideNode> nodes_;  ///< the upper tree, what stands still, what moves
     std::vector<PackedTriangle> triangles_;
-    std::vector<Box> boxes_;  ///< of nodes from first_moving_node_
-    std::size_t first_moving_node_ = 0;
-    std::vector<Lower> lowers_;  ///< the one that stands still first, if it holds anything
-    std::size_t first_moving_ = 0;
+    RefitPlan plan_;
+    std::vector<Box> boxes_;       ///< of the nodes that move
+    std::vector<WideNode> upper_;  ///< as UpperTree::build leaves them
+    std::vector<std::uint32_t> roots_;
     int levels_ = 0;
 };
 

@@ -13,5 +13,6 @@ __global__ void number(Keep keep, OnPlace on_place, int n) {
 }
 
 template __global__ void number(SeesSurface, GiveSlot, int);
+template __global__ void number(IsChosen, QueueSample, int);
 
 }  // namespace foverig::device

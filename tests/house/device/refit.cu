@@ -6,3 +6,4 @@
 using namespace foverig;
 FOVERIG_LAUNCH(MoveTriangles);
 FOVERIG_LAUNCH(RefitNodes);
+FOVERIG_LAUNCH(PlaceUpperNodes);

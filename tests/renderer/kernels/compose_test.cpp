@@ -84,15 +84,19 @@ TEST(Checked, AddsUp) {
     EXPECT_EQ(counts.inf, 1U);
 }
 
-TEST(Lit, IsReflectedIrradianceAndOpenAmbient) {
+TEST(WithLight, AddsReflectedIrradianceAndOpenAmbient) {
+    const vec3 colour(0.5F, 0.0F, 2.0F);
     const vec3 diffuse(0.5F, 0.25F, 1.0F);
     const vec3 irradiance(3.0F, 8.0F, 0.0F);
     const vec3 ambient(0.1F, 0.2F, 0.4F);
     for (int c = 0; c < 3; ++c) {
         const double reflected = double{diffuse[c]} * irradiance[c] / std::acos(-1.0);
         const double open = double{diffuse[c]} * ambient[c] * 0.75;
-        EXPECT_NEAR(lit(diffuse, irradiance, 0.75F, ambient, true)[c], reflected + open, 1.0e-6);
-        EXPECT_NEAR(lit(diffuse, irradiance, 0.75F, ambient, false)[c], reflected, 1.0e-6);
+        const double own = double{colour[c]};
+        EXPECT_NEAR(with_light(colour, diffuse, irradiance, 0.75F, ambient, true)[c],
+                    own + reflected + open, 1.0e-6);
+        EXPECT_NEAR(with_light(colour, diffuse, irradiance, 0.75F, ambient, false)[c],
+                    own + reflected, 1.0e-6);
     }
 }
 

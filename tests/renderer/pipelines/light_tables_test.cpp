@@ -1,4 +1,4 @@
-#include "renderer/pipelines/light_tables.h"
+#include "renderer/pipelines/frame/light_tables.h"
 
 #include <gtest/gtest.h>
 

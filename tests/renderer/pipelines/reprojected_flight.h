@@ -11,8 +11,8 @@
 
 namespace foverig {
 
-inline constexpr int kWidth = 320;
-inline constexpr int kHeight = 396;
+inline constexpr int kFlightWidth = 320;
+inline constexpr int kFlightHeight = 396;
 inline constexpr double kRate_hz = 75.0;
 
 inline std::shared_ptr<const Scene> builtin(const char* name) {
@@ -23,8 +23,8 @@ inline std::shared_ptr<const Scene> builtin(const char* name) {
 }
 
 /// A head that drifts and turns around the scene's first camera key.
-inline EyeView moving_view(const Scene& scene, int frame, int width_px = kWidth,
-                           int height_px = kHeight) {
+inline EyeView moving_view(const Scene& scene, int frame, int width_px = kFlightWidth,
+                           int height_px = kFlightHeight) {
     const CameraKey& key = scene.camera_path[0];
     const float t = static_cast<float>(frame) * 0.02F;
     return view_at(key.position_m + vec3(0.3F * std::sin(t), 0.1F * t, -0.2F * t),
@@ -32,8 +32,8 @@ inline EyeView moving_view(const Scene& scene, int frame, int width_px = kWidth,
                    1.08F);
 }
 
-inline FrameInput input_at(const Scene& scene, int frame, bool still = false, int width_px = kWidth,
-                           int height_px = kHeight) {
+inline FrameInput input_at(const Scene& scene, int frame, bool still = false,
+                           int width_px = kFlightWidth, int height_px = kFlightHeight) {
     FrameInput input = frame_of(moving_view(scene, still ? 0 : frame, width_px, height_px),
                                 static_cast<std::uint32_t>(frame));
     input.time_s = still ? 0.0 : frame / kRate_hz;

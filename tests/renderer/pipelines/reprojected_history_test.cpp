@@ -52,7 +52,7 @@ TEST(Reprojected, TwoEyesAreRenderedEachFromItsOwnHistory) {
         two.eyes.insert(two.eyes.begin(), two.eyes[0]);
         two.eyes[0].view.position_m.x -= 0.064F;
         const FrameStats stats = both->render(two);
-        EXPECT_EQ(stats.all_pixels, 2U * kWidth * kHeight);
+        EXPECT_EQ(stats.all_pixels, 2U * kFlightWidth * kFlightHeight);
         right_alone->render(one);
     }
     EXPECT_TRUE(both->image(1).pixels == right_alone->image(0).pixels);

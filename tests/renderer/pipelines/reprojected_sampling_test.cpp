@@ -24,13 +24,14 @@ TEST(Reprojected, WithNothingToResampleItSamplesByTheFovealFunctionAndTheSupport
     };
     double expected = 0.0;
     double variance = 0.0;
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kFlightHeight; ++y) {
+        for (int x = 0; x < kFlightWidth; ++x) {
             const double e_deg = glm::degrees(angle_between_rad(
                 dvec3(rays.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F)),
                 gaze));
             const double foveal = std::clamp(1.0 - 0.95 * (e_deg - 10.0) / 10.0, 0.05, 1.0);
-            const double p = on_grid(x, 69, kWidth) && on_grid(y, 86, kHeight) ? 1.0 : foveal;
+            const double p =
+                on_grid(x, 69, kFlightWidth) && on_grid(y, 86, kFlightHeight) ? 1.0 : foveal;
             expected += p;
             variance += p * (1.0 - p);
         }
@@ -63,14 +64,14 @@ TEST(Reprojected, TheSamplingMaskShowsWhatWasTracedAndTheFoveaWholly) {
                   stats.sampled_pixels);
         const EyeRays rays(input.eyes[0].view);
         const dvec3 gaze = dmat3(input.eyes[0].view.world_from_eye) * dvec3(input.eyes[0].gaze);
-        for (int y = 0; y < kHeight; ++y) {
-            for (int x = 0; x < kWidth; ++x) {
+        for (int y = 0; y < kFlightHeight; ++y) {
+            for (int x = 0; x < kFlightWidth; ++x) {
                 if (glm::degrees(
                         angle_between_rad(dvec3(rays.direction(static_cast<float>(x) + 0.5F,
                                                                static_cast<float>(y) + 0.5F)),
                                           gaze)) > 9.99)
                     continue;
-                ASSERT_EQ(mask.pixels[static_cast<std::size_t>(y * kWidth + x)], 1);
+                ASSERT_EQ(mask.pixels[static_cast<std::size_t>(y * kFlightWidth + x)], 1);
             }
         }
         EXPECT_EQ(mask.pixels[0], 1) << "the corner belongs to the support image";

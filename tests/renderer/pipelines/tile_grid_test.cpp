@@ -1,4 +1,4 @@
-#include "renderer/pipelines/tile_grid.h"
+#include "renderer/kernels/tile_grid.h"
 
 #include <gtest/gtest.h>
 

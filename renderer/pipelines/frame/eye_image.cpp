@@ -1,4 +1,4 @@
-#include "renderer/pipelines/eye_image.h"
+#include "renderer/pipelines/frame/eye_image.h"
 
 namespace foverig {
 

@@ -2,7 +2,7 @@
 #include "renderer/camera.h"
 #include "renderer/half.h"
 #include "renderer/image.h"
-#include "renderer/pipelines/tile_grid.h"
+#include "renderer/kernels/tile_grid.h"
 #include "renderer/view.h"
 
 namespace foverig {

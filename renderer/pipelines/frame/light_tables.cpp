@@ -1,4 +1,4 @@
-#include "renderer/pipelines/light_tables.h"
+#include "renderer/pipelines/frame/light_tables.h"
 
 #include <algorithm>
 
@@ -38,9 +38,8 @@ LightTables::LightTables(EffectMemory& memory, const EffectPlan& plan, const Sce
                          const LightingSettings& settings) {
     if (plan.on(Effect::area_light)) {
         area_samples_ = settings.area_samples;
-        for (std::size_t i = 0; i < scene.area_lights.size(); ++i)
-            area_points_.emplace_back(memory.of(Effect::area_light),
-                                      static_cast<std::size_t>(2 * kPatterns * area_samples_));
+        area_points_ =
+            Buffer<float>(memory.of(Effect::area_light), scene.area_lights.size() * area_floats());
     }
     if (plan.on(Effect::ambient_occlusion)) {
         occlusion_samples_ = settings.ao_samples;
@@ -51,12 +50,13 @@ LightTables::LightTables(EffectMemory& memory, const EffectPlan& plan, const Sce
 
 void LightTables::update(std::uint32_t seed, std::uint32_t frame) {
     const std::uint32_t frame_seed = hash32(seed, frame);
-    for (std::size_t light = 0; light < area_points_.size(); ++light) {
+    for (std::size_t light = 0; light * area_floats() < area_points_.size(); ++light) {
         const std::uint32_t light_seed = hash32(frame_seed, static_cast<std::uint32_t>(light) + 1U);
         const std::vector<vec2> points = lamp_points(area_samples_, light_seed);
+        float* const rows = area_points_.data() + light * area_floats();
         for (std::size_t i = 0; i < points.size(); ++i) {
-            area_points_[light][i] = points[i].x;
-            area_points_[light][points.size() + i] = points[i].y;
+            rows[i] = points[i].x;
+            rows[points.size() + i] = points[i].y;
         }
     }
     const std::size_t n = occlusion_.size() / 3;

@@ -1,6 +1,4 @@
 #pragma once
-#include <vector>
-
 #include "renderer/effects/memory.h"
 #include "renderer/kernels/sampling.h"
 
@@ -18,15 +16,22 @@ class LightTables {
 
     /// Rows a, b in [0,1)^2.
     PatternTable area(std::size_t light) const {
-        return {area_points_[light].data(), area_samples_};
+        return {area_points_.data() + light * area_floats(), area_samples_};
     }
+    /// The tables of all area lights, one after the other.
+    View<const float> areas() const { return area_points_.view(); }
     /// Rows x, y, z: cosine-weighted about +z.
     PatternTable occlusion() const { return {occlusion_.data(), occlusion_samples_}; }
+    View<const float> occlusions() const { return occlusion_.view(); }
 
   private:
+    std::size_t area_floats() const {
+        return static_cast<std::size_t>(2 * kPatterns * area_samples_);
+    }
+
     int area_samples_ = 0;
     int occlusion_samples_ = 0;
-    std::vector<Buffer<float>> area_points_;
+    Buffer<float> area_points_;
     Buffer<float> occlusion_;
 };
 
