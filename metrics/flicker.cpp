@@ -21,14 +21,16 @@ void Flicker::add(const Image& reference, const Image& test) {
         check_same_size({errors_[0].width_px, errors_[0].height_px, {}}, reference);
     errors_.push_front(std::move(error));
     if (errors_.size() > filters_.transient.size()) errors_.pop_back();
-    const int width = reference.width_px;
+    squares_ = Plane(reference.width_px, reference.height_px);
     const double squares = sum_of_rows<double>(reference.height_px, [&](int y) {
-        std::vector<float> response(static_cast<std::size_t>(width));
+        std::vector<float> response(static_cast<std::size_t>(reference.width_px));
         for (std::size_t i = 0; i < filters_.transient.size(); ++i) {
             const float* row = errors_[std::min(i, errors_.size() - 1)].row(y);
             const auto tap = static_cast<float>(filters_.transient[i]);
             for (std::size_t x = 0; x < response.size(); ++x) response[x] += tap * row[x];
         }
+        std::transform(response.begin(), response.end(), squares_.row(y),
+                       [](float r) { return r * r; });
         double sum = 0.0;
         for (const float r : response) sum += double{r} * double{r};
         return sum;

@@ -87,7 +87,7 @@ ExitCode diff_command(const DiffRequest& request) {
     if (request.heatmap && !chosen.empty() &&
         std::find(chosen.begin(), chosen.end(), "flip") == chosen.end())
         throw UsageError("--out draws the map of FLIP; add flip to --metrics");
-    DiffMetrics diff(request.settings);
+    DiffMetrics diff(request.settings, pairs.size() > 1);
     std::uint64_t not_finite_a = 0;
     std::uint64_t not_finite_b = 0;
     int width_px = 0;

@@ -63,17 +63,30 @@ void divide(Json& sum, int frames) {
 }  // namespace
 
 const std::vector<std::string>& all_metrics() {
-    static const std::vector<std::string> names{"flip",   "ssim",  "psnr", "mse",    "mae",
-                                                "relmse", "smape", "gaze", "change", "flicker"};
+    static const std::vector<std::string> names{"flip",  "ssim",   "psnr",   "mse",
+                                                "mae",   "relmse", "smape",  "gaze",
+                                                "fvvdp", "change", "flicker"};
     return names;
 }
 
-DiffMetrics::DiffMetrics(const DiffSettings& settings)
-    : settings_(settings), sum_(Json::object()), flicker_(settings.frames_per_s) {}
+DiffMetrics::DiffMetrics(const DiffSettings& settings, bool sequence)
+    : settings_(settings),
+      sum_(Json::object()),
+      flicker_(settings.frames_per_s),
+      regional_(settings.frames_per_s, settings.fovea_deg),
+      vdp_(settings.light, sequence ? std::optional(settings.frames_per_s) : std::nullopt),
+      foveated_vdp_(vdp_) {}
 
 bool DiffMetrics::wanted(const std::string& metric) const {
     const auto& chosen = settings_.metrics;
     return chosen.empty() || std::find(chosen.begin(), chosen.end(), metric) != chosen.end();
+}
+
+metrics::GazedView DiffMetrics::view_of(const Image& image) const {
+    const dvec2 gaze =
+        settings_.gaze_px.value_or(dvec2(0.5 * image.width_px, 0.5 * image.height_px));
+    return metrics::gazed_screen(image.width_px, image.height_px, settings_.pixels_per_degree,
+                                 gaze.x, gaze.y);
 }
 
 Json DiffMetrics::of_pair(const ReadImage& reference, const ReadImage& test) {
@@ -106,9 +119,7 @@ Json DiffMetrics::of_pair(const ReadImage& reference, const ReadImage& test) {
     if (wanted("relmse")) json["relmse"]["mean"] = relative.relmse;
     if (wanted("smape")) json["smape"]["mean"] = relative.smape;
     if (wanted("gaze")) {
-        const dvec2 gaze = settings_.gaze_px.value_or(dvec2(0.5 * r.width_px, 0.5 * r.height_px));
-        const GazedView view =
-            gazed_screen(r.width_px, r.height_px, settings_.pixels_per_degree, gaze.x, gaze.y);
+        const GazedView view = view_of(r);
         json["gaze"]["absolute"] = gaze_json(absolute_error(r, t), view, settings_.fovea_deg);
         if (wanted("flip")) json["gaze"]["flip"] = gaze_json(flip_map_, view, settings_.fovea_deg);
     }
@@ -117,20 +128,39 @@ Json DiffMetrics::of_pair(const ReadImage& reference, const ReadImage& test) {
 
 void DiffMetrics::add(const ReadImage& reference, const ReadImage& test) {
     accumulate(sum_, of_pair(reference, test));
-    if (wanted("change")) change_.add(reference.image, test.image);
-    if (wanted("flicker")) flicker_.add(reference.image, test.image);
+    const Image& r = reference.image;
+    const Image& t = test.image;
+    if (wanted("fvvdp")) {
+        vdp_.add(r, t, view_of(r), false);
+        foveated_vdp_.add(r, t, view_of(r), true);
+    }
+    if (wanted("change")) change_.add(r, t);
+    if (wanted("flicker")) flicker_.add(r, t);
+    if (wanted("change") || wanted("flicker")) regional_.add(r, t, view_of(r));
     ++frames_;
 }
 
 Json DiffMetrics::result() const {
     Json json = sum_;
     divide(json, std::max(1, frames_));
-    if (frames_ > 1 && wanted("change")) {
+    if (wanted("fvvdp"))
+        json["fvvdp"] = {{"jod", vdp_.jod()}, {"foveated_jod", foveated_vdp_.jod()}};
+    if (frames_ < 2) return json;
+    if (wanted("change")) {
         const metrics::Change c = change_.change();
         json["change"] = {
             {"reference", c.reference}, {"test", c.test}, {"mae", c.mae}, {"mse", c.mse}};
     }
-    if (frames_ > 1 && wanted("flicker")) json["flicker"]["rms"] = flicker_.rms_codes();
+    if (wanted("flicker")) json["flicker"]["rms"] = flicker_.rms_codes();
+    const metrics::RegionalChange regional = regional_.change();
+    for (const auto& [name, region] :
+         {std::pair("fovea", regional.fovea), std::pair("periphery", regional.periphery)}) {
+        if (!region) continue;
+        if (wanted("change"))
+            json["change"][name] = {
+                {"reference", region->reference}, {"test", region->test}, {"mae", region->mae}};
+        if (wanted("flicker")) json["flicker"][name] = region->flicker_rms;
+    }
     return json;
 }
 

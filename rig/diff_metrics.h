@@ -8,7 +8,9 @@
 #include "metrics/change.h"
 #include "metrics/flicker.h"
 #include "metrics/flip_hdr.h"
+#include "metrics/fovvideovdp.h"
 #include "metrics/plane.h"
+#include "metrics/regional_change.h"
 #include "renderer/image_read.h"
 
 namespace foverig {
@@ -19,6 +21,7 @@ struct DiffSettings {
     double frames_per_s = 0.0;
     std::optional<dvec2> gaze_px;  ///< none: the middle of the image
     metrics::ToneMapper tone_mapper = metrics::ToneMapper::aces;
+    metrics::ScreenLight light;
     std::vector<std::string> metrics;  ///< of all_metrics(); empty: all that there is to say
 };
 
@@ -28,7 +31,8 @@ const std::vector<std::string>& all_metrics();
 /// Collects frames: pairs of images of one size, finite.
 class DiffMetrics {
   public:
-    explicit DiffMetrics(const DiffSettings& settings);
+    /// `sequence`: more than one frame will come, so their order in time counts.
+    DiffMetrics(const DiffSettings& settings, bool sequence);
 
     void add(const ReadImage& reference, const ReadImage& test);
 
@@ -40,6 +44,7 @@ class DiffMetrics {
   private:
     bool wanted(const std::string& metric) const;
     nlohmann::ordered_json of_pair(const ReadImage& reference, const ReadImage& test);
+    metrics::GazedView view_of(const Image& image) const;
 
     DiffSettings settings_;
     nlohmann::ordered_json sum_;
@@ -47,6 +52,8 @@ class DiffMetrics {
     metrics::Plane flip_map_;
     metrics::ChangeOverTime change_;
     metrics::Flicker flicker_;
+    metrics::RegionalChangeOverTime regional_;
+    metrics::FovVideoVdp vdp_, foveated_vdp_;
 };
 
 }  // namespace foverig

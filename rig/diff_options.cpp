@@ -1,5 +1,7 @@
 #include "rig/diff_options.h"
 
+#include <fmt/format.h>
+
 #include "metrics/flip.h"
 
 namespace foverig {
@@ -31,6 +33,12 @@ void DiffOptions::add_to(CLI::App& app) {
     diff.add_option("--fps", frames_per_s_, "frames a second of a sequence")
         ->check(CLI::Range(8.0, 10000.0))
         ->capture_default_str();
+    diff.add_option("--peak-cd-m2", light_.peak_cd_m2, "light of the screen's white, for fvvdp")
+        ->check(CLI::Range(0.1, 10000.0))
+        ->capture_default_str();
+    diff.add_option("--black-cd-m2", light_.black_cd_m2, "light of its black, room light included")
+        ->check(CLI::Range(1.0e-4, 1000.0))
+        ->capture_default_str();
     diff.add_option("--tone-mapper", tone_mapper_, "of FLIP between two EXR, HDR or PFM")
         ->check(CLI::IsMember({"aces", "hable", "reinhard"}))
         ->capture_default_str();
@@ -41,10 +49,15 @@ void DiffOptions::add_to(CLI::App& app) {
         "  foverig diff full.png foveated.png --ppd 9.6 --gaze 591,732 --out error.png\n"
         "  foverig diff reference.exr test.exr --metrics flip,relmse --json\n"
         "  foverig diff frames-full frames-foveated --fps 75     adds change and flicker\n"
+        "  foverig diff a.png b.png --metrics fvvdp --ppd 9.6 --gaze 591,732   in JOD, 10 is best\n"
         "docs/metrics.md defines each.");
 }
 
 DiffRequest DiffOptions::request() const {
+    if (light_.black_cd_m2 >= light_.peak_cd_m2)
+        throw UsageError(fmt::format(
+            "--black-cd-m2 {:g} is not below --peak-cd-m2 {:g}; expected a darker black",
+            light_.black_cd_m2, light_.peak_cd_m2));
     DiffRequest request;
     request.reference = reference_;
     request.test = test_;
@@ -54,6 +67,7 @@ DiffRequest DiffOptions::request() const {
     settings.pixels_per_degree = pixels_per_degree_;
     settings.fovea_deg = fovea_deg_;
     settings.frames_per_s = frames_per_s_;
+    settings.light = light_;
     settings.metrics = metrics_;
     if (!gaze_px_.empty()) settings.gaze_px = dvec2(gaze_px_[0], gaze_px_[1]);
     if (tone_mapper_ == "hable") settings.tone_mapper = metrics::ToneMapper::hable;

@@ -3,6 +3,7 @@
 
 #include "metrics/change.h"
 #include "metrics/flicker.h"
+#include "metrics/regional_change.h"
 #include "metrics/temporal_filters.h"
 #include "tests/metrics/expected.h"
 #include "tests/metrics/pictures.h"
@@ -77,6 +78,45 @@ TEST(Flicker, OfAnErrorThatStandsStillIsNextToNothing) {
     }
     EXPECT_GT(blinking.rms_codes(), 5.0);
     EXPECT_LT(still.rms_codes(), 0.05 * blinking.rms_codes());
+}
+
+TEST(RegionalChange, TellsTheFoveaFromThePeripheryAndAgreesWithTheWholeImage) {
+    constexpr int kWidth = 60, kHeight = 40;
+    const GazedView view = gazed_screen(kWidth, kHeight, 4.0, 20.0, 20.0);
+    RegionalChangeOverTime regional(75.0, 3.0);
+    ChangeOverTime whole;
+    Flicker flicker(75.0);
+    const Image still = test::flat(kWidth, kHeight, vec3(0.3F));
+    for (int i = 0; i < 6; ++i) {
+        Image other = still;
+        for (int y = 15; y < 25; ++y)  // within 3 degrees of the gaze
+            for (int x = 15; x < 25; ++x) other.at(x, y) = vec3(i % 2 == 0 ? 0.3F : 0.4F);
+        regional.add(still, other, view);
+        whole.add(still, other);
+        flicker.add(still, other);
+    }
+    const RegionalChange change = regional.change();
+    ASSERT_TRUE(change.fovea && change.periphery);
+    EXPECT_EQ(change.fovea->reference, 0.0);
+    EXPECT_EQ(change.periphery->test, 0.0);
+    EXPECT_EQ(change.periphery->flicker_rms, 0.0);
+    Plane inside(kWidth, kHeight);
+    const double share =
+        static_cast<double>(pool_by_gaze(inside, view, 3.0).fovea_pixels) / (kWidth * kHeight);
+    EXPECT_NEAR(change.fovea->test * share, whole.change().test, 1e-6);
+    EXPECT_NEAR(change.fovea->mae * share, whole.change().mae, 1e-6);
+    EXPECT_GT(change.fovea->flicker_rms, flicker.rms_codes());
+}
+
+TEST(RegionalChange, HasNoPeripheryWhereAllIsFoveaAndNothingOfOneFrame) {
+    const Image frame = test::noise(8, 8, 1);
+    RegionalChangeOverTime regional(75.0, 170.0);
+    const GazedView view = gazed_screen(8, 8, 10.0, 4.0, 4.0);
+    regional.add(frame, frame, view);
+    EXPECT_FALSE(regional.change().fovea);
+    regional.add(frame, test::noise(8, 8, 2), view);
+    EXPECT_TRUE(regional.change().fovea);
+    EXPECT_FALSE(regional.change().periphery);
 }
 
 TEST(Flicker, RefusesAFrameOfAnotherSizeAndTooFewFramesASecond) {

@@ -66,6 +66,17 @@ TEST_F(ProgramDiff, SaysOnlyWhatItIsAskedFor) {
     EXPECT_EQ(foverig({"diff", a, b, "--metrics", "beauty"}).code, 2);
 }
 
+TEST_F(ProgramDiff, SaysInJodWhatPeopleWouldSee) {
+    const std::string a = png("a.png", 0.3F), b = png("b.png", 0.31F);
+    const Json same = last_line(foverig({"diff", a, a, "--metrics", "fvvdp", "--json"}));
+    EXPECT_EQ(same["fvvdp"]["jod"], 10.0);
+    EXPECT_EQ(same["fvvdp"]["foveated_jod"], 10.0);
+    const Outcome screen =
+        foverig({"diff", a, b, "--metrics", "fvvdp", "--peak-cd-m2", "1", "--black-cd-m2", "2"});
+    EXPECT_EQ(screen.code, 2);
+    EXPECT_THAT(screen.err, HasSubstr("expected a darker black"));
+}
+
 TEST_F(ProgramDiff, DrawsTheMap) {
     const fs::path map = root_ / "map.png";
     const std::string a = png("a.png", 0.0F), b = png("b.png", 1.0F);
@@ -116,6 +127,10 @@ TEST_F(ProgramDiff, TakesTwoFoldersForASequence) {
     EXPECT_NEAR(json["change"]["test"].get<double>(), 3.0 * json["mae"]["mean"].get<double>(),
                 1e-9);
     EXPECT_GT(json["flicker"]["rms"].get<double>(), 0.0);
+    EXPECT_NEAR(json["change"]["fovea"]["test"].get<double>(), json["change"]["test"].get<double>(),
+                1e-4);
+    EXPECT_FALSE(json["change"].contains("periphery"));
+    EXPECT_LT(json["fvvdp"]["jod"].get<double>(), 10.0);
     EXPECT_EQ(foverig({"diff", a, b, "--out", (root_ / "m.png").string()}).code, 2);
     png("b/3.png", 0.5F);
     EXPECT_EQ(foverig({"diff", a, b}).code, 3);
