@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
     register_metrics(bench);
     register_kernels();
     register_devices();
+    register_hour();
     add_context(o);
     if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;
     bench.results.write();

@@ -27,5 +27,6 @@ void register_recorder(Bench& bench);
 void register_metrics(Bench& bench);
 void register_kernels();
 void register_devices();
+void register_hour();
 
 }  // namespace foverig::bench

@@ -43,9 +43,14 @@ struct PlanRequest {
 };
 ExitCode plan_command(const PlanRequest& request);
 
+struct ReportRequest {
+    std::vector<std::filesystem::path> runs;
+    std::vector<std::string> exports;               ///< names of exports::formats()
+    std::optional<std::filesystem::path> together;  ///< Google Benchmark JSON of all runs
+};
 /// Makes report.html of each run folder again, from its records alone; of a sweep's folder
 /// pareto.json and pareto.html.
-ExitCode report_command(const std::vector<std::filesystem::path>& runs);
+ExitCode report_command(const ReportRequest& request);
 
 struct DiffRequest {
     std::filesystem::path reference, test;  ///< two images, or two folders of frames
@@ -71,6 +76,15 @@ struct SweepRequest {
 };
 /// Measures what is not measured yet; makes the result once nothing is missing.
 ExitCode sweep_command(const SweepRequest& request);
+
+struct TuneRequest {
+    std::filesystem::path file;
+    std::optional<std::filesystem::path> out;  ///< none: runs/NAME-tuned
+    std::optional<double> budget_ms;           ///< none: a VSync of the base scenario
+    bool json = false;                         ///< last line of stdout: tuned.json
+};
+/// Searches a sweep's grid for the smallest error within a budget; writes it as a scenario.
+ExitCode tune_command(const TuneRequest& request);
 
 ExitCode scenes_command();
 ExitCode devices_command();

@@ -5,8 +5,10 @@
 
 #include "devices/time.h"
 #include "renderer/backends/embree/embree_api.h"
+#include "renderer/renderer.h"
 #include "rig/commands.h"
 #include "rig/doctor_devices.h"
+#include "rig/doctor_display.h"
 #include "rig/identity/build_info.h"
 #include "rig/identity/gpu_info.h"
 #include "rig/identity/host_info.h"
@@ -64,7 +66,10 @@ ExitCode doctor_command() {
                                        : "on the wall clock frames will begin late; use "
                                          "--clock lockstep, or leave the machine alone"));
     print_row("gpu", gpu_text(find_gpus()));
+    const BackendChoice choice = choose_backend({});
+    print_row("backend auto", fmt::format("{}: {}", choice.name, choice.why));
     for (const DoctorRow& row : examine_devices()) print_row(row.name, row.text);
+    for (const DoctorRow& row : examine_displays()) print_row(row.name, row.text);
     print_row("try", "foverig run");
     return ExitCode::good;
 }

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "devices/hardware/found_device.h"
+#include "devices/hardware/found_cameras.h"
 
 namespace foverig {
 namespace {
@@ -25,13 +25,34 @@ std::string said_of(const std::vector<hardware::FoundDevice>& found, const std::
     return text;
 }
 
+constexpr double kFrameRate_hz = 60.0, kFrameBits = 752.0 * 480.0 * 8.0;
+
+/// Its frames need a high-speed port (DEVICES.md 1.8).
+std::string tracker_cameras() {
+    std::vector<hardware::FoundDevice> devices;
+    std::string ports;
+    for (const hardware::FoundCamera& camera : hardware::find_cameras()) {
+        if (camera.id != hardware::kDk2Camera) continue;
+        devices.push_back(camera.device);
+        if (camera.usb_mbit_s == 0) continue;
+        ports += fmt::format("; its frames take {:.0f} of the port's {:.0f} Mbit/s{}",
+                             kFrameRate_hz * kFrameBits * 1e-6, camera.usb_mbit_s,
+                             camera.usb_mbit_s < 480 ? ": too slow a port" : "");
+    }
+    return said_of(devices, fmt::format("none seen (DK2's camera, USB {})",
+                                        hardware::text_of(hardware::kDk2Camera))) +
+           ports;
+}
+
 std::string kernel_interfaces() {
     std::error_code error;
     const bool hidraw = fs::exists("/sys/class/hidraw", error);
     const bool usbfs = fs::exists("/dev/bus/usb", error);
-    return fmt::format("hidraw {}, usbfs {}",
+    const bool video = fs::exists("/sys/class/video4linux", error);
+    return fmt::format("hidraw {}, usbfs {}, video4linux {}",
                        hidraw ? "there" : "not in this kernel (no headset can be read)",
-                       usbfs ? "there" : "not mounted (no gaze tracker can be read)");
+                       usbfs ? "there" : "not mounted (no gaze tracker can be read)",
+                       video ? "there" : "not there (no camera was ever plugged in)");
 }
 
 std::string realtime() {
@@ -62,6 +83,7 @@ std::vector<DoctorRow> examine_devices() {
                                 fmt::format("none seen (Rift DK2, USB {})", headset))},
             {"gaze tracker", said_of(hardware::find_gaze_trackers(hardware::kGazeTracker),
                                      fmt::format("none seen (SGZ1, USB {})", tracker))},
+            {"tracker camera", tracker_cameras()},
             {"udev rule",
              fmt::format("{}: {}", hardware::kUdevRuleFile,
                          fs::exists("/etc/udev/rules.d/70-foverig.rules")

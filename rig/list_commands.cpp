@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
-#include "devices/hardware/found_device.h"
+#include "devices/hardware/found_cameras.h"
 #include "renderer/scene/library.h"
 #include "rig/commands.h"
+#include "rig/scenario/scenario.h"
 #include "simulators/faults/faults.h"
 #include "simulators/motion/catalog.h"
 
@@ -36,14 +37,18 @@ ExitCode devices_command() {
     fmt::print("Devices on the desk (--devices hardware --clock wall):\n");
     print_found("dk2", hardware::find_headsets());
     print_found("gaze", hardware::find_gaze_trackers(hardware::kGazeTracker));
+    print_found("camera", hardware::find_cameras_of(hardware::kDk2Camera));
     fmt::print("\nSimulated devices (--devices sim); they speak the bytes of the real ones:\n");
     print_row("dk2", "Oculus Rift DK2: inertial sensor at 1 kHz, 75 Hz panel with pixel read-back");
     print_row("gaze", "binocular gaze tracker, 60 Hz");
+    print_row("camera", "the DK2's tracker camera: 752 x 480 at 60 Hz, LEDs that blink, its lens");
     print_row("virtual", "the DK2's panel: VSync, rolling scan-out, persistence");
     fmt::print("\nHead motions (motion.head):\n");
     for (const auto& model : motion::head_motions()) print_row(model.name, model.meaning);
     fmt::print("\nEye motions (motion.gaze):\n");
     for (const auto& model : motion::eye_motions()) print_row(model.name, model.meaning);
+    print_row(kMouseGaze,
+              "the eyes follow the cursor of a window (--display window), without noise");
     fmt::print("\nFaults (faults.<device>.<kind>), each off until it is named:\n");
     for (const FaultInfo& fault : known_faults()) {
         print_row(fmt::format("{}.{}", fault.device, fault.kind),

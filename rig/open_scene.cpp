@@ -68,6 +68,12 @@ std::unique_ptr<Renderer> open_renderer(std::shared_ptr<const Scene> scene,
     }
 }
 
+std::string backend_text(const Renderer& renderer, const RenderSettings& settings) {
+    const std::string why = choose_backend(settings).why;
+    return why.empty() ? renderer.backend_name()
+                       : fmt::format("{} ({})", renderer.backend_name(), why);
+}
+
 std::unique_ptr<LensPass> open_lens(const Scenario& scenario) {
     return scenario.display.distortion ? std::make_unique<LensPass>(scenario) : nullptr;
 }

@@ -15,6 +15,9 @@ std::shared_ptr<const Scene> open_scene(const Scenario& scenario);
 std::unique_ptr<Renderer> open_renderer(std::shared_ptr<const Scene> scene,
                                         const RenderSettings& settings);
 
+/// The renderer's backend, and of `auto` why it is that one.
+std::string backend_text(const Renderer& renderer, const RenderSettings& settings);
+
 /// The distortion pass, or null where the scenario leaves it out.
 std::unique_ptr<LensPass> open_lens(const Scenario& scenario);
 

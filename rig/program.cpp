@@ -4,15 +4,19 @@
 
 #include <CLI/CLI.hpp>
 
+#include "renderer/backend_error.h"
 #include "renderer/check.h"
 #include "renderer/scene/error.h"
 #include "rig/commands.h"
 #include "rig/compare_options.h"
 #include "rig/diff_options.h"
+#include "rig/expose_options.h"
 #include "rig/identity/build_info.h"
+#include "rig/report_options.h"
 #include "rig/scenario/write.h"
 #include "rig/scenario_options.h"
 #include "rig/sweep_options.h"
+#include "rig/tune_options.h"
 
 namespace foverig {
 namespace {
@@ -69,6 +73,7 @@ void add_run(CLI::App& app, RunOptions& options) {
         "  foverig run my.toml --frames 300 --out my-run\n"
         "  foverig run --scene sponza.glb --set foveation.configuration=small\n"
         "  foverig run --clock lockstep --cost fixed:10 --seed 7      repeats bit for bit\n"
+        "  foverig run --display window --gaze mouse                  look at it; Escape ends it\n"
         "  foverig run --set recording.enabled=true                   keeps session.mcap\n"
         "  foverig run my.toml --fail-if 'vsync.missed_ratio > 0.01'");
 }
@@ -125,18 +130,6 @@ void add_plan(CLI::App& app, PlanOptions& options) {
         "Examples:\n"
         "  foverig plan --scene cornell\n"
         "  foverig plan my.toml --set lighting.ao_samples=16");
-}
-
-void add_report(CLI::App& app, std::vector<std::string>& runs) {
-    CLI::App& report = *app.add_subcommand(
-        "report", "make reports of run folders and sweeps again, from their records");
-    report.add_option("runs", runs, "run folders, or folders of sweeps")
-        ->type_name("RUN...")
-        ->required();
-    report.footer(
-        "Examples:\n"
-        "  foverig report runs/001 runs/002\n"
-        "  foverig report runs/example      merges the shards of a sweep");
 }
 
 std::vector<FailIf> parsed(const std::vector<std::string>& texts) {
@@ -198,16 +191,20 @@ ExitCode dispatch(int argc, const char* const* argv) {
     DiffOptions diff_options;
     CompareOptions compare_options;
     SweepOptions sweep_options;
-    std::vector<std::string> reports;
+    TuneOptions tune_options;
+    ExposeOptions expose_options;
+    ReportOptions report_options;
     add_run(app, run_options);
     add_record(app, record_options);
     add_replay(app, replay_options, replay_run_options);
     add_recover(app, recover_options);
     add_plan(app, plan_options);
-    add_report(app, reports);
+    report_options.add_to(app);
     diff_options.add_to(app);
     compare_options.add_to(app);
     sweep_options.add_to(app);
+    tune_options.add_to(app);
+    expose_options.add_to(app);
     app.add_subcommand("scenes", "what there is to look at");
     app.add_subcommand("devices", "simulated devices, motions and faults");
     app.add_subcommand("doctor", "what works on this machine, and what to do");
@@ -231,10 +228,12 @@ ExitCode dispatch(int argc, const char* const* argv) {
                              .measure = !plan_options.no_run,
                              .json = plan_options.json});
     }
-    if (app.got_subcommand("report")) return report_command({reports.begin(), reports.end()});
+    if (app.got_subcommand("report")) return report_command(report_options.request());
     if (app.got_subcommand("diff")) return diff_command(diff_options.request());
     if (app.got_subcommand("compare")) return compare_command(compare_options.request());
+    if (app.got_subcommand("tune")) return tune_command(tune_options.request());
     if (app.got_subcommand("sweep")) return sweep_command(sweep_options.request());
+    if (app.got_subcommand("expose")) return expose_command(expose_options.request());
     if (app.got_subcommand("scenes")) return scenes_command();
     if (app.got_subcommand("devices")) return devices_command();
     if (app.got_subcommand("doctor")) return doctor_command();
@@ -258,6 +257,8 @@ int run_program(int argc, const char* const* argv) {
     } catch (const InputError& error) {
         return failed(ExitCode::input, error.what());
     } catch (const DeviceError& error) {
+        return failed(ExitCode::device, error.what());
+    } catch (const BackendError& error) {
         return failed(ExitCode::device, error.what());
     } catch (const std::bad_alloc&) {
         return failed(ExitCode::internal, "out of memory");

@@ -28,6 +28,10 @@ void require_hardware(const Scenario& scenario) {
         const auto id = hardware::usb_id_of(asked.gaze_usb_id).value_or(hardware::kGazeTracker);
         require(asked.gaze, "hardware.gaze", hardware::choose_gaze_tracker(id, asked.gaze_serial));
     }
+    if (scenario.tracking.camera && asked.camera != "sim") {
+        require(asked.camera, "hardware.camera",
+                hardware::choose_tracker_camera(asked.camera_serial));
+    }
     if (scenario.clock != "wall") {
         throw UsageError("devices = hardware and clock = " + scenario.clock +
                          ": devices on a desk run in real time; add --clock wall");
@@ -38,10 +42,6 @@ void require_hardware(const Scenario& scenario) {
 
 void require_devices(const Scenario& scenario) {
     if (scenario.devices == "hardware") require_hardware(scenario);
-    if (scenario.display.kind == "headset")
-        throw DeviceError(
-            "display.kind = headset: this build cannot drive a headset's panel; use --display "
-            "virtual");
 }
 
 }  // namespace foverig

@@ -4,17 +4,21 @@
 #include <nlohmann/json.hpp>
 
 #include "rig/commands.h"
+#include "rig/governor/governed_renderer.h"
 #include "rig/identity/build_info.h"
 #include "rig/identity/host_info.h"
 #include "rig/interrupt.h"
+#include "rig/live/live_window.h"
 #include "rig/open_scene.h"
 #include "rig/output/kept_images.h"
 #include "rig/output/run_folder.h"
 #include "rig/progress.h"
+#include "rig/records/columns.h"
 #include "rig/records/frames_csv.h"
 #include "rig/records/summary.h"
 #include "rig/report/page.h"
 #include "rig/require_devices.h"
+#include "rig/scenario/cost.h"
 #include "rig/scenario/write.h"
 #include "rig/session/session.h"
 #include "rig/summary_text.h"
@@ -22,20 +26,53 @@
 namespace foverig {
 namespace {
 
+/// Of a window that shows the frames, or null.
+void attach(LiveWindow* live, const Interrupt& interrupt, SessionHooks& hooks) {
+    hooks.stop_requested = [&interrupt, live] {
+        return interrupt.requested() || (live != nullptr && live->closed());
+    };
+    if (live != nullptr) hooks.frame_begins = [live](HostTime begin) { live->frame_begins(begin); };
+}
+
+std::unique_ptr<governor::GovernedRenderer> open_governed(
+    const Scenario& scenario, const std::shared_ptr<const Scene>& scene) {
+    auto ladder = governor::read_ladder(scenario);
+    if (!ladder) return nullptr;
+    return std::make_unique<governor::GovernedRenderer>(
+        std::move(*ladder), governor::limits_of(scenario),
+        [&](const RenderSettings& settings) { return open_renderer(scene, settings); });
+}
+
+/// What a governor did, in the records.
+void take_choices(const governor::GovernedRenderer& governed, RunRecord& run) {
+    for (std::size_t i = 0; i < std::min(run.frames.size(), governed.chosen().size()); ++i)
+        run.frames[i].governor_setting = governed.chosen()[i];
+    run.governor = governed.record();
+}
+
+/// With a window the lenses are its work; `governed` is the renderer where there is a governor,
+/// else null.
 RunRecord run_session(const Scenario& scenario, const Scene& scene, Renderer& renderer,
-                      LensPass* lens, KeptImages& images, SessionRecording* recording,
-                      const Interrupt& interrupt) {
-    Session session(scenario, scene, renderer, lens, recording);
+                      governor::GovernedRenderer* governed, LensPass* lens, LiveWindow* live,
+                      KeptImages& images, SessionRecording* recording, const Interrupt& interrupt) {
+    Session session(scenario, scene, renderer, live == nullptr ? lens : nullptr, recording,
+                    live == nullptr ? nullptr : &live->parts());
     Progress progress;
     std::optional<FrameInput> last;
     SessionHooks hooks;
-    hooks.stop_requested = [&] { return interrupt.requested(); };
+    attach(live, interrupt, hooks);
     hooks.progress = [&](const SessionProgress& done) { progress.show(done); };
-    hooks.frame_done = [&](const FrameRecord&, const FrameInput& input, double share) {
+    hooks.frame_done = [&](const FrameRecord& frame, const FrameInput& input, double share) {
         last = input;
+        if (live != nullptr) live->frame_done(frame);
+        if (governed != nullptr) governed->frame_took(frame_time_ms(frame));
         return images.frame_done(input, renderer, share);
     };
+    if (const auto cost = parse_cost(scenario.cost); governed != nullptr && cost && cost->fixed_ms)
+        hooks.fixed_ms = [=] { return governed->fixed_ms(*cost->fixed_ms); };
     RunRecord run = session.run(hooks);
+    if (governed != nullptr) take_choices(*governed, run);
+    if (live != nullptr && run.display) live->complete(*run.display);
     progress.done();
     if (last) images.run_done(*last, renderer);
     if (const auto missed = images.missed(); !missed.empty())
@@ -88,10 +125,16 @@ ExitCode run_command(const RunRequest& request) {
     const Scenario& scenario = request.scenario;
     require_devices(scenario);
     const Interrupt interrupt;
+    const auto live = LiveWindow::open(scenario);
+    if (live) fmt::print(stderr, "{}: Escape ends the run, H shows the HUD\n", live->shown_on());
     RunFolder folder(request.out);
     fmt::print(stderr, "loading {}\n", scenario.scene);
     const auto scene = open_scene(scenario);
-    auto renderer = open_renderer(scene, scenario.render);
+    auto governed = open_governed(scenario, scene);
+    auto* const governor = governed.get();
+    std::unique_ptr<Renderer> renderer = std::move(governed);
+    if (!renderer) renderer = open_renderer(scene, scenario.render);
+    fmt::print(stderr, "tracing with {}\n", backend_text(*renderer, scenario.render));
     const auto lens = open_lens(scenario);
     KeptImages images(scenario);
     std::optional<SessionRecording> recording;
@@ -100,8 +143,8 @@ ExitCode run_command(const RunRequest& request) {
         fmt::print(stderr, "interrupted while loading: nothing was measured\n");
         return ExitCode::interrupted;
     }
-    const RunRecord run = run_session(scenario, *scene, *renderer, lens.get(), images,
-                                      recording ? &*recording : nullptr, interrupt);
+    const RunRecord run = run_session(scenario, *scene, *renderer, governor, lens.get(), live.get(),
+                                      images, recording ? &*recording : nullptr, interrupt);
     const std::uint64_t rss_bytes = peak_rss_bytes();
     renderer.reset();  // the comparison needs the memory
     compare_with_full(scenario, scene, images, interrupt);

@@ -17,12 +17,13 @@ struct NamedOption {
     const char* help;
 };
 
-constexpr std::array<NamedOption, 10> kNamed{{
+constexpr std::array<NamedOption, 11> kNamed{{
     {"--scene", "scene", "NAME|FILE", "built-in scene or a file (OBJ, glTF, GLB, PLY)"},
     {"--devices", "devices", "sim|hardware|replay:FILE", "where the devices' bytes come from"},
     {"--backend", "backend", "auto|embree|cuda|host-bvh", "what traces the rays"},
     {"--pipeline", "pipeline", "NAME", "how a frame is made: reprojected, full, reference"},
-    {"--display", "display.kind", "virtual|headset", "what shows the frames"},
+    {"--display", "display.kind", "virtual|window|headset", "what shows the frames"},
+    {"--gaze", "motion.gaze", "NAME|mouse|FILE.csv", "how the eyes move"},
     {"--clock", "clock", "wall|lockstep", "real time, or time that moves by each frame's cost"},
     {"--cost", "cost", "measured|fixed:MS", "that cost; fixed makes runs repeat bit for bit"},
     {"--frames", "frames", "N", "how many frames"},
@@ -73,6 +74,9 @@ Scenario ScenarioOptions::over(Scenario scenario) const {
             apply_value(scenario, option.key, text, std::string(option.option) + " " + text);
         }
     }
+    // A window shows real time: whoever asks for one on the command line asks for that too.
+    const bool shown = scenario.display.kind != "virtual" && given("display.kind");
+    if (shown && !given("clock") && scenario.cost == "measured") scenario.clock = "wall";
     for (const std::string& setting : settings_) apply_setting(scenario, setting);
     complete_scenario(scenario);
     const auto scenes = builtin_scenes();

@@ -68,6 +68,14 @@ std::string summary_text(const json& s) {
         text += fmt::format(
             "tracking lost     head pose stale in {} frames, gaze in {}: the last ones stood\n",
             stale_pose, stale_gaze);
+    if (const json governor = s.value("governor", json()); governor.is_object())
+        text += fmt::format(
+            "governor          {} changes{}\n", number(governor["changes"]),
+            governor["error_paid"].is_number()
+                ? fmt::format("; {} {} paid, {} with the dearest setting",
+                              governor["error_name"].get<std::string>(),
+                              number(governor["error_paid"]), number(governor["error_dearest"]))
+                : "");
     const json& ratio = s["sampled_pixel_ratio"];
     text +=
         fmt::format("traced pixels     {} of all\n",
@@ -77,6 +85,14 @@ std::string summary_text(const json& s) {
                             recording["messages"].get<std::uint64_t>(),
                             recording["dropped"].get<std::uint64_t>(),
                             recording["bytes"].get<double>() * 1e-6);
+    }
+    if (const json& display = s.value("display", json()); display.is_object()) {
+        text += fmt::format("shown on          {}; vsyncs from the {}, known to {}\n",
+                            display["shown_on"].get<std::string>(),
+                            display["vsync_from"].get<std::string>(),
+                            number(display["vsync_error_ms"], " ms"));
+        if (const auto frames_with = display["hud_frames"].get<std::uint64_t>(); frames_with > 0)
+            text += fmt::format("hud               its cost is in {} frames\n", frames_with);
     }
     const json devices = s.value("devices", json::object());
     for (const auto& [name, device] : devices.items()) {

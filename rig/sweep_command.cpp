@@ -2,51 +2,24 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 
 #include "rig/commands.h"
 #include "rig/interrupt.h"
+#include "rig/open_scene.h"
 #include "rig/require_devices.h"
 #include "rig/sweep/folder_result.h"
 #include "rig/sweep/header.h"
 #include "rig/sweep/journal.h"
 #include "rig/sweep/merged.h"
+#include "rig/sweep/prices.h"
 #include "rig/sweep/read.h"
 #include "rig/sweep/time_left.h"
+#include "rig/sweep_folder.h"
 #include "rig/sweep_runs.h"
-#include "rig/text/digest.h"
 
 namespace foverig {
 namespace fs = std::filesystem;
 namespace {
-
-/// Tells programs apart, also two builds of one commit.
-std::string program_digest() {
-    std::ostringstream bytes;
-    bytes << std::ifstream("/proc/self/exe", std::ios::binary).rdbuf();
-    return Digest().add(bytes.view()).hex();
-}
-
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw UsageError(fmt::format("--out {}: cannot be made: {}; expected a folder that may be",
-                                     folder.string(), error.message()));
-}
-
-/// A file that was begun must be of this sweep, this program and this machine.
-void check_goes_on(const fs::path& file, const nlohmann::json& begun,
-                   const nlohmann::json& header) {
-    for (const char* part : {"sweep", "build", "host"}) {
-        if (begun.at(part) == header.at(part)) continue;
-        const char* const what = *part == 's'   ? "of another sweep"
-                                 : *part == 'b' ? "by another build of foverig"
-                                                : "on another machine";
-        throw UsageError(fmt::format(
-            "{}: was begun {}; expected the same to go on, or another --out", file.string(), what));
-    }
-}
 
 /// False where Ctrl-C came first.
 bool measure(const std::vector<sweep::Job>& jobs, sweep::Journal& journal, SweepRuns& runs,
@@ -87,8 +60,10 @@ ExitCode tell(const fs::path& folder, bool json) {
 }  // namespace
 
 ExitCode sweep_command(const SweepRequest& request) {
-    const sweep::Sweep sweep = sweep::read_sweep(request.file);
+    sweep::Sweep sweep = sweep::read_sweep(request.file);
     require_devices(sweep.base);
+    if (sweep.prices)
+        sweep::add_price_points(sweep, EffectPlan(*open_scene(sweep.base), sweep.base.render));
     const fs::path folder = request.out.value_or(fs::path("runs") / sweep.name);
     make_folder(folder);
     const fs::path file = folder / sweep::journal_name(request.shard);
@@ -96,10 +71,7 @@ ExitCode sweep_command(const SweepRequest& request) {
     const auto header = sweep::header_json(sweep, build_info(), host_info(), program);
     {
         sweep::Journal journal(file);
-        if (journal.content().header.is_null())
-            journal.append(header);
-        else
-            check_goes_on(file, journal.content().header, header);
+        begin_or_go_on(journal, file, header);
         std::vector<sweep::Job> jobs = sweep::jobs_of(sweep, request.shard);
         const std::size_t all = jobs.size();
         std::erase_if(jobs, [&](const sweep::Job& job) { return journal.content().has(job); });

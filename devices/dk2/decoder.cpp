@@ -39,6 +39,10 @@ Result<DecodedReport> Dk2Decoder::decode11(Bytes packet) {
                  .vsync_device = stamps_.near(report->frame_timestamp_us),
                  .vsync = {},
                  .grey = report->frame_id};
+    out.exposure = {.count = report->tracking_count,
+                    .pattern = report->tracking_pattern,
+                    .start_device = stamps_.near(report->tracking_timestamp_us),
+                    .start = {}};
     expand(out, report->slots, report->num_samples, report->temperature_centi_c, stamps_.now());
     return out;
 }

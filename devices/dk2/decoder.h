@@ -18,9 +18,18 @@ struct PanelReadback {
     std::uint8_t grey = 0;
 };
 
+/// The LEDs' newest flash, which is the camera's exposure (DEVICES.md 1.8.3).
+struct LedExposure {
+    std::uint16_t count = 0;  ///< since the LEDs were enabled; 0: there was none yet
+    std::uint8_t pattern = 0;
+    Dk2Time start_device{};
+    HostTime start{};  ///< set by Dk2ImuSource
+};
+
 struct DecodedReport {
     std::vector<ImuSample> samples;  ///< oldest first; host_time and arrival not yet set
     PanelReadback panel;             ///< only of report 11
+    LedExposure exposure;            ///< only of report 11
     std::uint16_t last_command_id = 0;
     std::uint16_t lost = 0;   ///< samples missing before this report
     bool is_report1 = false;  ///< DK1 format: times continued by count

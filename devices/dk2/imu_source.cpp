@@ -7,9 +7,17 @@
 namespace foverig::dk2 {
 namespace {
 
-constexpr std::size_t kKeptReadbacks = 64;
+constexpr std::size_t kKeptReadbacks = 64, kKeptExposures = 64;
 constexpr Nanoseconds kSetUpPause{250'000'000};  // between two tries with a headset that came back
 constexpr Nanoseconds kCorrectionPause{100'000'000};  // reports in flight still have the old format
+
+/// What LibOVR, OUVRT and OpenHMD ask of a DK2 for blinking LEDs (DEVICES.md 1.5).
+const TrackingReport kBlinking{.enable = true,
+                               .auto_increment = true,
+                               .use_carrier = true,
+                               .exposure_us = 350,
+                               .frame_interval_us = 16666,
+                               .duty = 0x7F};
 
 template <class Report>
 Result<Report> get(Transport& transport) {
@@ -64,6 +72,9 @@ Status Dk2ImuSource::set_up() {
     panel.read_pixel = config_.read_pixel;
     if (auto status = set(*transport_, panel, command_id_); !status) return status;
 
+    if (config_.light_leds) {
+        if (auto status = set(*transport_, kBlinking, command_id_); !status) return status;
+    }
     return set(*transport_, KeepAliveMuxReport{.timeout_ms = config_.keep_alive_timeout_ms},
                command_id_);
 }
@@ -90,6 +101,8 @@ Next<ImuSample> Dk2ImuSource::next(HostTime deadline) {
             if (until >= deadline) return Timeout{};
         } else if (auto* fault = std::get_if<Fault>(&got)) {
             was_gone_ = true;
+            // Nobody is there to be kept awake; asking for the past would never find it again.
+            next_keep_alive_ = std::max(next_keep_alive_, deadline);
             return std::move(*fault);
         } else {
             return EndOfStream{};
@@ -125,7 +138,9 @@ void Dk2ImuSource::take(const Packet& packet) {
         s.host_time = clock_map_.to_host(s.device_time);
         s.arrival = packet.arrival;
     }
-    if (!is_report1) note_panel(decoded->panel);
+    if (is_report1) return;
+    note_panel(decoded->panel);
+    note_exposure(decoded->exposure);
 }
 
 void Dk2ImuSource::keep_alive(HostTime now) {
@@ -141,6 +156,20 @@ void Dk2ImuSource::note_panel(PanelReadback panel) {
     panel.vsync = clock_map_.to_host(panel.vsync_device);
     readbacks_.push_back(panel);
     if (readbacks_.size() > kKeptReadbacks) readbacks_.pop_front();
+}
+
+void Dk2ImuSource::note_exposure(LedExposure exposure) {
+    if (exposure.count == 0 || exposure.count == last_exposure_count_) return;
+    last_exposure_count_ = exposure.count;
+    exposure.start = clock_map_.to_host(exposure.start_device);
+    exposures_.push_back(exposure);
+    if (exposures_.size() > kKeptExposures) exposures_.pop_front();
+}
+
+std::vector<LedExposure> Dk2ImuSource::take_exposures() {
+    std::vector<LedExposure> taken(exposures_.begin(), exposures_.end());
+    exposures_.clear();
+    return taken;
 }
 
 std::vector<PanelReadback> Dk2ImuSource::take_panel_readbacks() {

@@ -14,6 +14,7 @@ namespace foverig::dk2 {
 struct ImuSourceConfig {
     std::uint8_t interval = 0;  ///< reports at 1000 / (1 + interval) Hz
     bool read_pixel = true;     ///< turns the latency tester on
+    bool light_leds = false;    ///< blinking, for the tracker camera
     std::uint16_t keep_alive_timeout_ms = 10000;
     Nanoseconds keep_alive_period{3'000'000'000};  ///< three tries a time-out
     ClockMapConfig clock_map{};
@@ -34,6 +35,9 @@ class Dk2ImuSource {
     /// Read-backs since the last call, one for each new frame count; the newest 64 are kept.
     std::vector<PanelReadback> take_panel_readbacks();
 
+    /// Flashes of the LEDs since the last call, one for each new count; the newest 64 are kept.
+    std::vector<LedExposure> take_exposures();
+
     SourceCounts counts() const { return counts_; }
     std::uint64_t control_failures() const { return control_failures_; }
     /// Reports in DK1 format that arrived and were answered with report 17.
@@ -50,6 +54,7 @@ class Dk2ImuSource {
     void take(const Packet& packet);
     void keep_alive(HostTime now);
     void note_panel(PanelReadback panel);
+    void note_exposure(LedExposure exposure);
 
     Transport* transport_;
     ImuSourceConfig config_;
@@ -60,6 +65,8 @@ class Dk2ImuSource {
     std::deque<PanelReadback> readbacks_;
     bool panel_seen_ = false;
     std::uint16_t last_frame_count_ = 0;
+    std::deque<LedExposure> exposures_;
+    std::uint16_t last_exposure_count_ = 0;
     HostTime next_keep_alive_{};
     HostTime next_correction_{};
     bool was_gone_ = false;

@@ -17,6 +17,7 @@ std::string text_of(const UsbId& id);
 std::optional<UsbId> usb_id_of(std::string_view text);
 
 inline constexpr UsbId kDk2{0x2833, 0x0021};
+inline constexpr UsbId kDk2Camera{0x2833, 0x0201};
 /// A test identifier of pid.codes, for private use; a scenario can name another.
 inline constexpr UsbId kGazeTracker{0x1209, 0x0001};
 

@@ -33,7 +33,7 @@ LiveTransport::LiveTransport(const Clock& clock, Open open_link, std::shared_ptr
                              const Settings& settings)
     : open_link_(std::move(open_link)),
       settings_(settings),
-      packets_(clock),
+      packets_(clock, settings.queue_capacity),
       link_(std::move(link)),
       reader_([this](const std::stop_token& stop) { read_until_stopped(stop); }) {}
 

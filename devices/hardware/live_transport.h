@@ -16,6 +16,7 @@ class LiveTransport final : public Transport {
     struct Settings {
         Nanoseconds retry_period{250'000'000};  ///< between two tries to find it again
         bool realtime = true;                   ///< the reader runs as SCHED_FIFO where it may
+        std::size_t queue_capacity = PacketQueue::kCapacity;  ///< packets
     };
 
     /// Opens the device now; its error is why it cannot. `clock` runs in real time, may be read by

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "devices/hardware/found_cameras.h"
 #include "devices/hardware/hid_link.h"
 #include "devices/hardware/usb_link.h"
+#include "devices/hardware/video_link.h"
 
 namespace foverig::hardware {
 namespace {
@@ -36,6 +38,19 @@ Result<FoundDevice> choose_headset(const std::string& serial) {
 Result<FoundDevice> choose_gaze_tracker(const UsbId& id, const std::string& serial) {
     return choose(find_gaze_trackers(id), serial, "gaze tracker",
                   fmt::format("USB device {} that speaks SGZ1", text_of(id)));
+}
+
+Result<FoundDevice> choose_tracker_camera(const std::string& serial) {
+    return choose(
+        find_cameras_of(kDk2Camera), serial, "tracker camera",
+        fmt::format("DK2's camera, USB {}, among the video4linux devices", text_of(kDk2Camera)));
+}
+
+Result<std::unique_ptr<LiveTransport>> open_tracker_camera(const Clock& clock,
+                                                           const std::string& serial) {
+    return open_chosen(
+        clock, serial, {.queue_capacity = 8}, &choose_tracker_camera,
+        [](const FoundDevice& device) { return VideoLink::open(device, tracker_modes()); });
 }
 
 Result<std::unique_ptr<LiveTransport>> open_headset(const Clock& clock, const std::string& serial,

@@ -12,10 +12,16 @@ namespace foverig::hardware {
 Result<FoundDevice> choose_headset(const std::string& serial);
 Result<FoundDevice> choose_gaze_tracker(const UsbId& id, const std::string& serial);
 
+Result<FoundDevice> choose_tracker_camera(const std::string& serial);
+
 /// A DK2 on the desk. Errors: as choosing, and forbidden, busy, io. `clock` as LiveTransport wants
 /// it.
 Result<std::unique_ptr<LiveTransport>> open_headset(const Clock& clock, const std::string& serial,
                                                     const LiveTransport::Settings& settings = {});
+
+/// The DK2's tracker camera; its packets are camera/frame.h's, and the newest eight are kept.
+Result<std::unique_ptr<LiveTransport>> open_tracker_camera(const Clock& clock,
+                                                           const std::string& serial);
 
 /// A gaze tracker that speaks SGZ1.
 Result<std::unique_ptr<LiveTransport>> open_gaze_tracker(

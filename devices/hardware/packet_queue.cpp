@@ -2,11 +2,11 @@
 
 namespace foverig::hardware {
 
-void PacketQueue::push(Bytes packet) {
+void PacketQueue::push(std::vector<std::byte> packet) {
     const HostTime arrival = clock_.now();
     const std::lock_guard lock(mutex_);
-    items_.emplace_back(Packet{arrival, to_vector(packet)});
-    if (items_.size() > kCapacity) items_.pop_front();
+    items_.emplace_back(Packet{arrival, std::move(packet)});
+    if (items_.size() > capacity_) items_.pop_front();
     news_.notify_one();
 }
 

@@ -14,14 +14,17 @@ namespace foverig::hardware {
 /// that asks.
 class PacketQueue {
   public:
-    /// 16 s of a DK2. Beyond it the oldest packet goes, which the source then counts as lost.
+    /// 16 s of a DK2.
     static constexpr std::size_t kCapacity = 16384;
 
     /// `clock` runs in real time, may be read by any thread, and outlives the queue.
-    explicit PacketQueue(const Clock& clock) : clock_(clock) {}
+    /// Beyond `capacity` the oldest packet goes, which the source then counts as lost.
+    explicit PacketQueue(const Clock& clock, std::size_t capacity = kCapacity)
+        : clock_(clock), capacity_(capacity) {}
 
     /// Came just now.
-    void push(Bytes packet);
+    void push(Bytes packet) { push(to_vector(packet)); }
+    void push(std::vector<std::byte> packet);
     /// The device is gone: each loss gives at least one Fault, behind the packets before it.
     void lost(const Error& why);
     void found();
@@ -33,6 +36,7 @@ class PacketQueue {
     std::optional<NextPacket> take(HostTime deadline);
 
     const Clock& clock_;
+    std::size_t capacity_;
     std::mutex mutex_;
     std::condition_variable news_;
     std::deque<std::variant<Packet, Fault>> items_;

@@ -95,7 +95,7 @@ std::string gpu_text(const GpuFindings& found) {
             info.name + ", sm_" + std::to_string(info.major) + std::to_string(info.minor) + "; ";
     text += "driver " + found.driver.value_or("of unknown version");
     if (found.cuda) text += " for CUDA " + *found.cuda;
-    return text + "; not used by foverig run: scripts/gpu runs the CUDA backend";
+    return text;
 }
 
 }  // namespace foverig

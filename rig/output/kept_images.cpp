@@ -17,6 +17,16 @@ float as_seen(float linear) {
     return srgb_from_linear(std::clamp(linear, 0.0F, 1.0F));
 }
 
+/// Where the eye looks, from the top left corner of its image.
+dvec2 gaze_px_of(const EyeInput& eye) {
+    const EyeView& v = eye.view;
+    const dvec3 gaze(eye.gaze);
+    const double x = double{v.tan_left} - gaze.x / gaze.z;
+    const double y = double{v.tan_up} + gaze.y / gaze.z;
+    return {x * v.width_px / (double{v.tan_left} + double{v.tan_right}),
+            y * v.height_px / (double{v.tan_up} + double{v.tan_down})};
+}
+
 }  // namespace
 
 KeptImages::KeptImages(const Scenario& scenario)
@@ -50,6 +60,7 @@ void KeptImages::keep(const FrameInput& input, const Renderer& renderer) {
         frame.eyes.push_back({.final = renderer.image(eye),
                               .sampling = renderer.sampling_mask(eye),
                               .resampling = renderer.resampling_mask(eye),
+                              .full = {},
                               .error = {}});
     }
     frames_.push_back(std::move(frame));
@@ -60,10 +71,10 @@ void KeptImages::compare_with(Renderer& full, const std::function<bool()>& stop_
         if (stop_requested()) return;
         full.render(frame.input);
         for (std::size_t eye = 0; eye < frame.eyes.size(); ++eye) {
-            const Image truth = full.image(static_cast<int>(eye));
             EyeImages& images = frame.eyes[eye];
-            images.error = difference(images.final, truth, kErrorGain);
-            images.mean_absolute_error = mean_absolute_error(images.final, truth);
+            images.full = full.image(static_cast<int>(eye));
+            images.error = difference(images.final, images.full, kErrorGain);
+            images.mean_absolute_error = mean_absolute_error(images.final, images.full);
         }
     }
 }
@@ -89,6 +100,10 @@ nlohmann::json KeptImages::write(const std::filesystem::path& folder, const Lens
         for (std::size_t eye = 0; eye < frame.eyes.size(); ++eye) {
             const EyeImages& images = frame.eyes[eye];
             add(kEyeNames[eye], "final", images.final);
+            if (const auto gaze_px = gaze_px_of(frame.input.eyes[eye]);
+                !images.final.pixels.empty())
+                list.back()["gaze_px"] = {gaze_px.x, gaze_px.y};
+            add(kEyeNames[eye], "full", images.full);
             add(kEyeNames[eye], "sampling", images.sampling);
             add(kEyeNames[eye], "resampling", images.resampling);
             add(kEyeNames[eye], "error", images.error);

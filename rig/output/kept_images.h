@@ -28,7 +28,7 @@ class KeptImages {
     void compare_with(Renderer& full, const std::function<bool()>& stop_requested);
 
     /// Writes images/*.png below `folder`, the panel's picture too where there is a lens pass;
-    /// returns the summary's list [{frame, eye, kind, file, mean_absolute_error}].
+    /// returns the summary's list [{frame, eye, kind, file, gaze_px, mean_absolute_error}].
     nlohmann::json write(const std::filesystem::path& folder, const LensPass* lens) const;
 
     /// Frames that the scenario asks for and the run never came to.
@@ -40,6 +40,7 @@ class KeptImages {
         Image final;
         Mask sampling;
         Mask resampling;
+        Image full;                         ///< the same, by the full pipeline; or empty
         Image error;                        ///< difference to full, kErrorGain times; or empty
         double mean_absolute_error = -1.0;  ///< < 0: not compared
     };

@@ -49,6 +49,9 @@ std::vector<Column> instants() {
          [](F f) { return ns(taken(f.gaze)); }},
         {"gaze_arrival_ns", "ns", "arrival of that gaze sample",
          [](F f) { return ns(arrived(f.gaze)); }},
+        {"warp_sample_ns", "ns",
+         "newest inertial sample behind the late warp of a window's picture",
+         [](F f) { return ns(taken(f.warp)); }},
         {"submit_ns", "ns", "images of all eyes are rendered",
          [](F f) { return Cell(ns(f.submit)); }},
         {"present_ns", "ns", "distorted and handed to the display",
@@ -76,6 +79,8 @@ std::vector<Column> times_and_counts() {
          [](F f) { return cell(motion_to_photon_ms(f)); }},
         {"gaze_to_photon_ms", "ms", "gaze to photon",
          [](F f) { return cell(gaze_to_photon_ms(f)); }},
+        {"warp_to_photon_ms", "ms", "sample behind the late warp to photon",
+         [](F f) { return cell(warp_to_photon_ms(f)); }},
         {"imu_transport_ms", "ms",
          "sample to its arrival, beyond the smallest such delay, which no clock map can see",
          [](F f) { return cell(imu_transport_ms(f)); }},
@@ -114,6 +119,9 @@ std::vector<Column> times_and_counts() {
         {"gaze_stale", "", "1: nothing for 0.5 s: the last gaze stands, wherever the eye is",
          [](F f) { return count(f.gaze_stale); }},
         {"saccade", "", "1: an eye was in a saccade", [](F f) { return count(f.saccade); }},
+        {"governor_setting", "",
+         "which of the governor's settings, the cheapest 0; NA: no governor",
+         [](F f) { return f.governor_setting ? count(*f.governor_setting) : Cell(); }},
         {"image_kept", "", "1: images of this frame are in images/",
          [](F f) { return count(f.image_kept); }},
     };
@@ -153,6 +161,9 @@ std::optional<double> motion_to_photon_ms(const FrameRecord& f) {
 }
 std::optional<double> gaze_to_photon_ms(const FrameRecord& f) {
     return ms_between(taken(f.gaze), f.photon);
+}
+std::optional<double> warp_to_photon_ms(const FrameRecord& f) {
+    return ms_between(taken(f.warp), f.photon);
 }
 std::optional<double> imu_transport_ms(const FrameRecord& f) {
     return ms_between(taken(f.pose), arrived(f.pose));

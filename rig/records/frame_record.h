@@ -25,6 +25,7 @@ struct FrameRecord {
     HostTime begin{};                    ///< devices are read from here
     std::optional<SampleInstants> pose;  ///< newest inertial sample behind the head pose
     std::optional<SampleInstants> gaze;  ///< newest valid gaze sample
+    std::optional<SampleInstants> warp;  ///< ... behind the late warp; absent: there was none
     HostTime submit{};                   ///< images of all eyes are done
     HostTime present{};                  ///< handed to the display, distorted
     std::optional<HostTime> vsync;       ///< scan-out begins; absent: dropped
@@ -54,7 +55,8 @@ struct FrameRecord {
         false;  ///< the newest gaze sample had nothing for an eye: its last gaze stands
     bool gaze_stale = false;  ///< ... and that is older than GazeFilterConfig::hold_limit
     bool saccade = false;     ///< an eye was in a saccade
-    bool image_kept = false;  ///< work for images followed this frame
+    std::optional<std::uint32_t> governor_setting;  ///< which of the governor's, cheapest 0
+    bool image_kept = false;                        ///< work for images followed this frame
 
     bool dropped() const { return !shown_vsync.has_value(); }
     bool late() const { return !vsync || *vsync > aimed_vsync; }

@@ -18,6 +18,27 @@ struct DeviceRecord {
     std::optional<double> rate_hz;  ///< samples over the time they were taken in
 };
 
+/// A window that showed the frames.
+struct DisplayRecord {
+    std::string shown_on{};        ///< monitor, or a window's size
+    bool vsync_measured = false;   ///< the display paces the frames; else our own clock does
+    double vsync_error_ms = 0.0;   ///< one way; a delay that never changes is not in it
+    std::uint64_t hud_frames = 0;  ///< frames that paid for the HUD
+};
+
+/// One of the settings that a governor chose among.
+struct GovernedSetting {
+    std::string text{};             ///< "foveation.p_min = 0.05, ..."
+    double ms = 0.0;                ///< what it cost where it was measured
+    std::optional<double> error{};  ///< what it was off the reference there; of the front's error
+};
+
+struct GovernorRecord {
+    std::vector<GovernedSetting> settings;  ///< cheapest first
+    std::string error_name;                 ///< of the errors; empty: they are not known
+    double limit_ms = 0.0;                  ///< frames are to stay below
+};
+
 /// What became of session.mcap.
 struct RecordingRecord {
     std::uint64_t messages = 0;
@@ -37,6 +58,8 @@ struct RunRecord {
     bool fixed_cost = false;   ///< lockstep clock at a fixed cost
     bool interrupted = false;  ///< ended early by Ctrl-C
     std::optional<RecordingRecord> recording;
+    std::optional<GovernorRecord> governor;
+    std::optional<DisplayRecord> display;  ///< none: a virtual panel
 };
 
 }  // namespace foverig

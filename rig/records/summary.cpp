@@ -4,8 +4,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "rig/identity/gpu_info.h"
 #include "rig/records/columns.h"
 #include "rig/records/distribution.h"
+#include "rig/records/governor_json.h"
 #include "rig/records/panel_record.h"
 #include "rig/records/steady_times.h"
 #include "rig/records/vsync_count.h"
@@ -98,6 +100,7 @@ json latencies(const std::vector<FrameRecord>& frames) {
     return {
         {"motion_to_photon", spread(frames, motion_to_photon_ms)},
         {"gaze_to_photon", spread(frames, gaze_to_photon_ms)},
+        {"warp_to_photon", spread(frames, warp_to_photon_ms)},
         {"imu_transport", spread(frames, imu_transport_ms)},
         {"gaze_transport", spread(frames, gaze_transport_ms)},
         {"motion_to_photon_readback", spread(frames, readback_ms)},
@@ -142,6 +145,14 @@ json recording_json(const std::optional<RecordingRecord>& recording) {
             {"bytes", recording->bytes}};
 }
 
+json display_json(const std::optional<DisplayRecord>& display) {
+    if (!display) return nullptr;
+    return {{"shown_on", display->shown_on},
+            {"vsync_from", display->vsync_measured ? "display" : "own clock"},
+            {"vsync_error_ms", display->vsync_error_ms},
+            {"hud_frames", display->hud_frames}};
+}
+
 json numerics_json(const std::vector<FrameRecord>& frames) {
     using F = const FrameRecord&;
     return {{"nan", sum(frames, [](F f) { return f.numerics.nan; })},
@@ -174,10 +185,11 @@ json summary_json(const RunRecord& run, const json& scenario, const BuildInfo& b
                         {"compiler", build.compiler}, {"flags", build.flags},
                         {"type", build.build_type},   {"fp_mode", build.fp_mode},
                         {"backend", run.backend},     {"device", or_null(host.cpu)}};
-    summary["host"] = {{"cpu", or_null(host.cpu)},
-                       {"cores", host.cores},
-                       {"gpu", nullptr},
-                       {"os", or_null(host.os)}};
+    summary["host"] = {
+        {"cpu", or_null(host.cpu)},
+        {"cores", host.cores},
+        {"gpu", run.backend.starts_with("cuda") ? json(gpu_text(find_gpus())) : json()},
+        {"os", or_null(host.os)}};
     summary["scenario"] = scenario;
     summary["pipeline"] = run.pipeline;
     summary["interrupted"] = run.interrupted;
@@ -201,10 +213,12 @@ json summary_json(const RunRecord& run, const json& scenario, const BuildInfo& b
     summary["vsync"] = vsync_json(run, count);
     summary["latency_ms"] = latencies(frames);
     summary["devices"] = devices_json(run);
+    summary["display"] = display_json(run.display);
     summary["recording"] = recording_json(run.recording);
     summary["memory"] = {{"backend_bytes", run.backend_bytes},
                          {"base_bytes", base_bytes(run)},
                          {"peak_rss_bytes", peak_rss}};
+    if (run.governor) summary["governor"] = governor_json(run);
     summary["numerics"] = numerics_json(frames);
     return summary;
 }

@@ -6,6 +6,30 @@
 
 namespace foverig::report {
 
+namespace {
+
+/// What a window changes in what the numbers mean; empty without one.
+std::string window_note(const RunData& run) {
+    const auto display = run.summary.value("display", nlohmann::json());
+    if (!display.is_object()) return "";
+    std::string note = fmt::format("<p>Shown on {}; VSyncs from the {}, known to within {} ms.",
+                                   escaped(display.value("shown_on", "")),
+                                   escaped(display.value("vsync_from", "")),
+                                   number(run.number({"display", "vsync_error_ms"})));
+    if (run.number({"display", "hud_frames"}).value_or(0.0) > 0.0)
+        note += fmt::format(" {} frames paid for the HUD.",
+                            count(run.number({"display", "hud_frames"})));
+    const auto motion =
+        run.summary.value(nlohmann::json::json_pointer("/scenario/motion/gaze"), std::string());
+    if (motion == "mouse")
+        note +=
+            " The gaze tracker is simulated, without noise of its own: its eyes follow the cursor "
+            "through the inverse of the lens.";
+    return note + "</p>";
+}
+
+}  // namespace
+
 std::string plan_table(const RunData& run) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& effect : run.summary.value("plan", nlohmann::json::array())) {
@@ -37,7 +61,8 @@ std::string device_table(const RunData& run) {
                         cell("rejected"), cell("reconnects")});
     }
     return table({"device", "samples", "rate Hz", "lost", "rejected", "reconnects"}, rows,
-                 {1, 2, 3, 4, 5});
+                 {1, 2, 3, 4, 5}) +
+           window_note(run);
 }
 
 std::string resource_table(const RunData& run) {

@@ -20,9 +20,10 @@ struct Bar {
     double most_ms = 0.0;
     bool late = false;
     bool dropped = false;
+    bool warm_up = false;  ///< left out of the steady numbers, all of it
 };
 
-std::vector<Bar> bars_of(const FrameTable& frames) {
+std::vector<Bar> bars_of(const FrameTable& frames, std::size_t warm_up_frames) {
     const auto time_ms = frames.column("frame_time_ms");
     const auto late = frames.column("late");
     const auto dropped = frames.column("dropped");
@@ -32,6 +33,7 @@ std::vector<Bar> bars_of(const FrameTable& frames) {
         if (i % per_bar == 0) bars.push_back({.first = i});
         Bar& bar = bars.back();
         bar.last = i;
+        bar.warm_up = i < warm_up_frames;
         bar.most_ms = std::max(bar.most_ms, time_ms[i].value_or(0.0));
         bar.late = bar.late || late[i].value_or(0.0) > 0.0;
         bar.dropped = bar.dropped || dropped[i].value_or(0.0) > 0.0;
@@ -44,13 +46,16 @@ std::string bar_title(const Bar& bar) {
                                   ? fmt::format("frame {}", bar.first)
                                   : fmt::format("frames {} to {}, most", bar.first, bar.last);
     const char* fate = bar.dropped ? ", dropped" : bar.late ? ", late" : "";
-    return fmt::format("{}: {} ms{}", which, number(bar.most_ms), fate);
+    return fmt::format("{}: {} ms{}{}", which, number(bar.most_ms), fate,
+                       bar.warm_up ? ", warm-up" : "");
 }
 
 }  // namespace
 
 std::string frame_strip(const RunData& run) {
-    const auto bars = bars_of(run.frames);
+    const auto warm_up_frames = static_cast<std::size_t>(
+        run.number({"steady_frame_time_ms", "warm_up_frames"}).value_or(0.0));
+    const auto bars = bars_of(run.frames, warm_up_frames);
     if (bars.empty()) return "<p>No frame was rendered.</p>";
     const double budget_ms = run.number({"vsync", "budget_ms"}).value_or(0.0);
     double high_ms = budget_ms;
@@ -64,7 +69,10 @@ std::string frame_strip(const RunData& run) {
     const double width = chart.bar_width;
     for (std::size_t i = 0; i < bars.size(); ++i) {
         const double x = chart.bar_left(i);
-        const char* look = bars[i].dropped ? "dropped" : bars[i].late ? "late" : "good";
+        const char* look = bars[i].warm_up   ? "s9"
+                           : bars[i].dropped ? "dropped"
+                           : bars[i].late    ? "late"
+                                             : "good";
         svg.rect({x, y(bars[i].most_ms)}, width, y(0.0) - y(bars[i].most_ms), look,
                  bar_title(bars[i]));
     }
@@ -74,7 +82,10 @@ std::string frame_strip(const RunData& run) {
     return svg.str() +
            "<p class=\"legend\"><span><i class=\"good\"></i>in time</span><span><i "
            "class=\"late\"></i>late: missed the VSync it was begun for</span><span><i "
-           "class=\"dropped\"></i>dropped: never shown</span></p>";
+           "class=\"dropped\"></i>dropped: never shown</span>" +
+           (warm_up_frames > 0 ? "<span><i class=\"s9\"></i>warm-up: kept, but out of the steady "
+                                 "numbers</span></p>"
+                               : "</p>");
 }
 
 }  // namespace foverig::report

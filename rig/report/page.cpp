@@ -6,11 +6,13 @@
 #include "rig/report/facts.h"
 #include "rig/report/frame_strip.h"
 #include "rig/report/gallery.h"
+#include "rig/report/governor_chart.h"
 #include "rig/report/latency_chain.h"
 #include "rig/report/markup.h"
 #include "rig/report/overview.h"
 #include "rig/report/pass_bars.h"
 #include "rig/report/style.h"
+#include "rig/report/worst_frames.h"
 
 namespace foverig::report {
 namespace {
@@ -27,6 +29,18 @@ std::string column_listing() {
            table({"column", "unit", "definition"}, rows) + "</details>";
 }
 
+/// The resolved scenario holds every key, so it alone is the run.
+std::string repeating(const RunData& run) {
+    const bool exactly = run.summary.value("fixed_cost", false);
+    return fmt::format(
+        "<p>To repeat this run, in this folder: <code>foverig run scenario.toml --out "
+        "again</code>. "
+        "{}</p>",
+        exactly ? "Cost is fixed, so frames.csv and the images come out bit for bit."
+                : "Times are measured, so they differ; `foverig compare . again` says whether by "
+                  "more than chance.");
+}
+
 }  // namespace
 
 std::string page(const RunData& run) {
@@ -40,6 +54,11 @@ std::string page(const RunData& run) {
                     "Work of each frame, from its begin to its hand-over to the "
                     "display, without waiting.",
                     frame_strip(run));
+    if (const std::string chart = governor_chart(run); !chart.empty())
+        html += section("What the governor chose",
+                        "Setting by setting, the cheapest is 0. Costs and errors are those of the "
+                        "sweep that measured them.",
+                        chart);
     html += section("Where the time goes",
                     "Wall time of the renderer's passes: means above, then "
                     "frame by frame.",
@@ -49,6 +68,10 @@ std::string page(const RunData& run) {
                     "light of the frame that used it, mid-panel. Means add up; only frames that "
                     "were shown count.",
                     latency_chain(run));
+    html += section("The worst frames, link by link",
+                    "The longest beyond the warm-up, in milliseconds: from the inertial sample to "
+                    "the light, and the pass that lies furthest above what it usually takes.",
+                    worst_frames(run));
     html += section("What was rendered, and why",
                     "The effect plan: only what this scene and these "
                     "settings call for.",
@@ -60,7 +83,7 @@ std::string page(const RunData& run) {
     html += section("Data",
                     "summary.json, frames.csv, plan.json and scenario.toml lie beside this "
                     "page; `foverig report` makes it again from them.",
-                    scenario_listing(run) + column_listing());
+                    repeating(run) + scenario_listing(run) + column_listing());
     return html + "</main></body></html>\n";
 }
 

@@ -102,6 +102,22 @@ Picture shrunk(const Picture& picture, int most_width_px) {
     return small;
 }
 
+Picture cropped(const Picture& picture, double x_px, double y_px, int size_px) {
+    const int width = std::min(size_px, picture.width_px);
+    const int height = std::min(size_px, picture.height_px);
+    const auto first = [](double centre, int size, int whole) {
+        return std::clamp(static_cast<int>(std::lround(centre)) - size / 2, 0, whole - size);
+    };
+    const int x0 = first(x_px, width, picture.width_px);
+    const int y0 = first(y_px, height, picture.height_px);
+    Picture square{width, height, {}};
+    for (int y = 0; y < height; ++y) {
+        const auto from = picture.rgb.begin() + 3 * ((y0 + y) * picture.width_px + x0);
+        square.rgb.insert(square.rgb.end(), from, from + 3 * width);
+    }
+    return square;
+}
+
 std::string jpeg_uri(const Picture& picture, int quality) {
     jpeg_compress_struct jpeg{};
     jpeg_error_mgr errors{};

@@ -36,6 +36,7 @@ svg .on-bar { fill: var(--on-bar); font-weight: 600; }
 svg .budget-text { fill: var(--budget); font-weight: 600; paint-order: stroke;
   stroke: var(--paper); stroke-width: 4px; }
 .grid { stroke: var(--rule); stroke-width: 1; }
+.governed { fill: none; stroke: var(--s0); stroke-width: 2; }
 .budget { stroke: var(--budget); stroke-width: 1.5; stroke-dasharray: 6 4; }
 .good { fill: var(--good); background: var(--good); } .late { fill: var(--late);
   background: var(--late); }
@@ -60,9 +61,13 @@ code, pre { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size:
 pre { background: var(--panel); padding: 12px; border-radius: 6px; overflow-x: auto; }
 .gallery { display: flex; flex-wrap: wrap; gap: 14px; align-items: flex-start;
   margin-bottom: 14px; }
-figure { margin: 0; } figure.eye { flex: 1 1 calc(25% - 11px); min-width: 190px; max-width: 50%; }
+figure { margin: 0; } figure.eye { flex: 1 1 calc(20% - 12px); min-width: 190px; max-width: 50%; }
 figure.wide { flex: 1 1 100%; } figure img { width: 100%; height: auto; border-radius: 4px;
   display: block; }
+figure.magnified img { image-rendering: pixelated; }
+.stack { position: relative; } .stack .over { position: absolute; inset: 0; opacity: 0; }
+.flicker:checked ~ .gallery .over { animation: in-turns 1s steps(1) infinite; }
+@keyframes in-turns { 50% { opacity: 1; } }
 figcaption { font-size: 12.5px; color: var(--soft); margin-top: 4px; }
 figcaption code { font-size: 11.5px; overflow-wrap: anywhere; }
 details summary { cursor: pointer; font-weight: 600; }

@@ -32,6 +32,11 @@ void add_hardware_keys(std::vector<Key>& keys) {
     keys.push_back(choice_key(
         "hardware.gaze", {"required", "auto", "sim"}, "the same for the gaze tracker",
         [](auto& s) -> auto& { return s.hardware.gaze; }));
+    keys.push_back(choice_key(
+        "hardware.camera", {"required", "auto", "sim"},
+        "the same for the tracker camera, where tracking.camera is true; sim goes with a simulated "
+        "headset",
+        [](auto& s) -> auto& { return s.hardware.camera; }));
     keys.push_back(text_key(
         "hardware.head_serial", "a serial (foverig devices)", "which headset; empty: the only one",
         [](auto& s) -> auto& { return s.hardware.head_serial; }));
@@ -39,7 +44,16 @@ void add_hardware_keys(std::vector<Key>& keys) {
         "hardware.gaze_serial", "a serial (foverig devices)",
         "which gaze tracker; empty: the only one",
         [](auto& s) -> auto& { return s.hardware.gaze_serial; }));
+    keys.push_back(text_key(
+        "hardware.camera_serial", "a serial (foverig devices)",
+        "which tracker camera; empty: the only one",
+        [](auto& s) -> auto& { return s.hardware.camera_serial; }));
     keys.push_back(usb_id_key());
+    keys.push_back(flag_key(
+        "tracking.camera",
+        "the headset's LEDs blink and the tracker camera holds position and yaw; false: inertial "
+        "sensor alone",
+        [](auto& s) -> auto& { return s.tracking.camera; }));
 }
 
 }  // namespace foverig

@@ -1,10 +1,12 @@
 #include "rig/scenario/keys.h"
 
 #include "rig/scenario/cost.h"
+#include "rig/scenario/governor_keys.h"
 #include "rig/scenario/hardware_keys.h"
 #include "rig/scenario/key_makers.h"
 #include "rig/scenario/render_keys.h"
 #include "rig/scenario/simulation_keys.h"
+#include "rig/scenario/window_keys.h"
 #include "rig/scenario/world_keys.h"
 #include "rig/text/nearest.h"
 
@@ -95,11 +97,13 @@ void add_run_keys(std::vector<Key>& keys) {
 
 void add_display_keys(std::vector<Key>& keys) {
     keys.push_back(choice_key(
-        "display.kind", {"virtual", "headset"},
-        "the panel that shows the frames (headset: not in this build, exit code 4)",
+        "display.kind", {"virtual", "window", "headset"},
+        "what shows the frames: a simulated panel, a window, or the DK2's panel as a monitor; the "
+        "latter two need clock = wall",
         [](auto& s) -> auto& { return s.display.kind; }));
     keys.push_back(number_key(
-        "display.rate_hz", "Hz", {1.0, 1000.0}, "VSync rate (DK2: 75)",
+        "display.rate_hz", "Hz", {1.0, 1000.0},
+        "VSync rate (DK2: 75); a window takes its monitor's where that is told",
         [](auto& s) -> auto& { return s.display.rate_hz; }));
     keys.push_back(integer_key(
         "display.eyes", "", {1, 2}, "1: the left eye only; 2: both",
@@ -146,6 +150,7 @@ std::vector<Key> make_keys() {
     std::vector<Key> keys;
     add_run_keys(keys);
     add_display_keys(keys);
+    add_window_keys(keys);
     add_foveation_keys(keys);
     add_lighting_keys(keys);
     add_reprojection_keys(keys);
@@ -154,6 +159,7 @@ std::vector<Key> make_keys() {
     add_light_keys(keys);
     add_camera_keys(keys);
     add_motion_keys(keys);
+    add_governor_keys(keys);
     add_hardware_keys(keys);
     add_output_keys(keys);
     add_fault_keys(keys);

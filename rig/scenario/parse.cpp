@@ -152,7 +152,9 @@ void apply_setting(Scenario& scenario, const std::string& setting) {
 }
 
 void complete_scenario(Scenario& scenario) {
-    if (scenario.frames == 0 && scenario.seconds == 0.0) scenario.frames = kDefaultFrames;
+    // A window stays until it is closed.
+    if (scenario.frames == 0 && scenario.seconds == 0.0 && scenario.display.kind == "virtual")
+        scenario.frames = kDefaultFrames;
     const auto& foveation = scenario.render.foveation;
     if (foveation.r1_deg < foveation.r0_deg) {
         throw UsageError(fmt::format(

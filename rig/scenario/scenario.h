@@ -39,9 +39,21 @@ struct LightSettings {
     double area_radiance = 1.0;
 };
 
+/// A value of motion.gaze: the eyes follow the cursor of a window.
+inline constexpr const char* kMouseGaze = "mouse";
+
 struct MotionSettings {
     std::string head = "look";
     std::string gaze = "scan";
+};
+
+/// Of `display.kind` window (on the desktop) and headset (full screen on the DK2's monitor).
+struct WindowSettings {
+    int width_px = 1280;     ///< of a window; its height is 9/16 of that
+    std::string monitor;     ///< of full screen; empty: the one that looks like a DK2
+    bool wait_vsync = true;  ///< swap interval 1
+    bool late_warp = true;   ///< turn the pictures to the newest head pose before the lens
+    bool hud = false;        ///< shown from the start
 };
 
 inline constexpr std::size_t kMostKeptFrames = 24;  ///< they are held in memory: 42 MB each
@@ -61,15 +73,31 @@ struct RecordingSettings {
 struct HardwareSettings {
     std::string head = "required";
     std::string gaze = "required";
-    std::string head_serial;  ///< empty: the only one that is plugged in
+    std::string camera = "required";  ///< the tracker camera, where tracking.camera is on
+    std::string head_serial;          ///< empty: the only one that is plugged in
     std::string gaze_serial;
+    std::string camera_serial;
     std::string gaze_usb_id = "1209:0001";
+};
+
+/// How the head is followed.
+struct TrackingSettings {
+    bool camera = false;  ///< the tracker camera holds position and yaw; else the gyro alone
 };
 
 /// Of `devices = "replay:FILE"`.
 struct ReplaySettings {
     double speed = 1.0;  ///< of the wall clock against the recording's
     bool loop = false;   ///< begin again at the recording's end
+};
+
+/// Walks measured settings so that frames fit a VSync (rig/governor). Without settings it is off.
+struct GovernorSettings {
+    std::string front;      ///< a sweep's pareto.json: its front
+    std::string settings;   ///< "MS: KEY = VALUE, ...; MS: ...": instead of a file
+    double headroom = 0.1;  ///< share of the VSync that is kept free
+    int patience_frames =
+        40;  ///< in a row, with room for the next dearer setting, before it is taken
 };
 
 inline constexpr std::int64_t kDefaultFrames = 90;
@@ -86,13 +114,16 @@ struct Scenario {
     double settle_s = 0.5;    ///< devices run this long before the first frame
     RecordingSettings recording;
     HardwareSettings hardware;
+    TrackingSettings tracking;
     ReplaySettings replay;
     DisplaySettings display;
+    WindowSettings window;
     CameraSettings camera;
     LightSettings lights;
     MotionSettings motion;
     ImageSettings images;
     FaultSettings faults;
+    GovernorSettings governor;
     RenderSettings render;
 };
 

@@ -8,9 +8,8 @@ namespace {
 
 /// A model's name or a trajectory's file; the file is opened when the run starts.
 template <class Access>
-Key motion_key(std::string name, std::span<const motion::MotionInfo> models, std::string help,
-               Access at) {
-    std::vector<std::string> names;
+Key motion_key(std::string name, std::span<const motion::MotionInfo> models,
+               std::vector<std::string> names, std::string help, Access at) {
     for (const auto& model : models) names.emplace_back(model.name);
     Key key = text_key(std::move(name), "one of " + joined(names) + ", or a file.csv",
                        std::move(help), at);
@@ -50,10 +49,11 @@ Key fault_key(const FaultInfo& fault) {
 
 void add_motion_keys(std::vector<Key>& keys) {
     keys.push_back(motion_key(
-        "motion.head", motion::head_motions(), "how the head moves",
+        "motion.head", motion::head_motions(), {}, "how the head moves",
         [](auto& s) -> auto& { return s.motion.head; }));
     keys.push_back(motion_key(
-        "motion.gaze", motion::eye_motions(), "how the eyes move in the head",
+        "motion.gaze", motion::eye_motions(), {kMouseGaze},
+        "how the eyes move in the head; mouse: they follow the cursor of a window",
         [](auto& s) -> auto& { return s.motion.gaze; }));
 }
 

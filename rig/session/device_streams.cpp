@@ -28,14 +28,25 @@ HeadTracker DeviceStreams::open_head(World& world) {
         recording_->begin(world.initial_yaw_rad());
         headset = &recording_->headset(*headset, clock_);
     }
+    Transport* camera = world.tracker_camera();
+    if (camera != nullptr && recording_ != nullptr) {
+        camera = &recording_->tracker_camera(*camera, clock_);
+    }
     return {*headset, clock_.now(), HeadFusionConfig{.initial_yaw_rad = world.initial_yaw_rad()},
-            sample_log<ImuSample>(recording_)};
+            sample_log<ImuSample>(recording_),
+            CameraFeed{.transport = camera, .on_fix = sample_log<PoseFix>(recording_)}};
 }
 
 GazeTracker DeviceStreams::open_gaze(World& world) {
     Transport* tracker = &world.gaze_tracker();
     if (recording_ != nullptr) tracker = &recording_->gaze_tracker(*tracker, clock_);
     return {*tracker, clock_, sample_log<GazeSample>(recording_)};
+}
+
+std::vector<DeviceRecord> DeviceStreams::records() const {
+    std::vector<DeviceRecord> records{head_.record(), gaze_.record()};
+    if (const auto camera = head_.camera_record()) records.push_back(*camera);
+    return records;
 }
 
 void DeviceStreams::run_for(Nanoseconds duration) {

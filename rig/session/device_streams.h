@@ -21,7 +21,7 @@ class DeviceStreams {
 
     HeadTracker& head() { return head_; }
     const GazeTracker& gaze() const { return gaze_; }
-    std::vector<DeviceRecord> records() const { return {head_.record(), gaze_.record()}; }
+    std::vector<DeviceRecord> records() const;
 
   private:
     HeadTracker open_head(World& world);

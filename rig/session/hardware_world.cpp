@@ -19,8 +19,9 @@ std::unique_ptr<hardware::LiveTransport> open_or_null(const std::string& choice,
 
 }  // namespace
 
-HardwareWorld::HardwareWorld(const Scenario& scenario, Clock& clock)
-    : stand_ins_(scenario, clock),
+HardwareWorld::HardwareWorld(const Scenario& scenario, Clock& clock,
+                             const motion::EyeMotion* pointed_eyes)
+    : stand_ins_(scenario, clock, pointed_eyes),
       headset_(open_or_null(
           scenario.hardware.head,
           [&] { return hardware::open_headset(clock, scenario.hardware.head_serial); })),
@@ -28,7 +29,18 @@ HardwareWorld::HardwareWorld(const Scenario& scenario, Clock& clock)
           const auto id = hardware::usb_id_of(scenario.hardware.gaze_usb_id);
           return hardware::open_gaze_tracker(clock, id.value_or(hardware::kGazeTracker),
                                              scenario.hardware.gaze_serial);
-      })) {}
+      })) {
+    if (!scenario.tracking.camera) return;
+    camera_ = open_or_null(scenario.hardware.camera, [&] {
+        return hardware::open_tracker_camera(clock, scenario.hardware.camera_serial);
+    });
+}
+
+/// A simulated camera sees a simulated headset only.
+Transport* HardwareWorld::tracker_camera() {
+    if (camera_) return camera_.get();
+    return headset_ ? nullptr : stand_ins_.tracker_camera();
+}
 
 Transport& HardwareWorld::headset() {
     return headset_ ? *headset_ : stand_ins_.headset();

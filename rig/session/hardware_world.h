@@ -10,11 +10,13 @@ class HardwareWorld final : public World {
   public:
     /// Throws DeviceError where a required device cannot be opened; otherwise as SimulatedWorld.
     /// `clock` runs in real time.
-    HardwareWorld(const Scenario& scenario, Clock& clock);
+    HardwareWorld(const Scenario& scenario, Clock& clock,
+                  const motion::EyeMotion* pointed_eyes = nullptr);
 
     Transport& headset() override;
     Transport& gaze_tracker() override;
     Display& display() override { return stand_ins_.display(); }
+    Transport* tracker_camera() override;
 
     double initial_yaw_rad() const override;
     std::optional<dquat> true_head(HostTime time) const override;
@@ -25,7 +27,7 @@ class HardwareWorld final : public World {
 
   private:
     SimulatedWorld stand_ins_;
-    std::unique_ptr<hardware::LiveTransport> headset_, gaze_tracker_;  // null: simulated
+    std::unique_ptr<hardware::LiveTransport> headset_, gaze_tracker_, camera_;  // null: simulated
 };
 
 }  // namespace foverig

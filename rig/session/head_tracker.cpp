@@ -4,23 +4,57 @@
 #include "rig/session/open_device.h"
 
 namespace foverig {
+namespace {
+
+std::unique_ptr<camera::HeadCamera> open_camera(Transport* camera, Transport& headset) {
+    if (camera == nullptr) return nullptr;
+    return opened("camera",
+                  camera::HeadCamera::open(*camera, opened("dk2", dk2::read_leds(headset))));
+}
+
+}  // namespace
 
 HeadTracker::HeadTracker(Transport& transport, HostTime now, const HeadFusionConfig& config,
-                         std::function<void(const ImuSample&)> on_sample)
-    : source_(opened("dk2", dk2::Dk2ImuSource::open(transport, now))),
-      fusion_(config),
-      on_sample_(std::move(on_sample)) {}
+                         std::function<void(const ImuSample&)> on_sample, const CameraFeed& camera)
+    : camera_(open_camera(camera.transport, transport)),
+      source_(opened("dk2", dk2::Dk2ImuSource::open(transport, now,
+                                                    {.light_leds = camera.transport != nullptr}))),
+      fusion_(TrackedHeadConfig{.inertial = config}),
+      on_sample_(std::move(on_sample)),
+      on_fix_(camera.on_fix) {}
 
 void HeadTracker::read_until(HostTime deadline) {
     while (true) {
         const auto next = source_.next(deadline);
         const auto* sample = std::get_if<ImuSample>(&next);
-        if (sample == nullptr) return;
+        if (sample == nullptr) break;
         if (on_sample_) on_sample_(*sample);
         fusion_.add(*sample);
         if (!first_) first_ = sample->host_time;
         newest_ = {sample->host_time, sample->arrival};
     }
+    if (camera_) read_camera(deadline);
+}
+
+void HeadTracker::read_camera(HostTime deadline) {
+    camera_->add(source_.take_exposures());
+    while (true) {
+        const auto next =
+            camera_->next(deadline, [this](Dk2Time taken) { return fusion_.expected(taken); });
+        const auto* fix = std::get_if<PoseFix>(&next);
+        if (fix == nullptr) return;
+        if (on_fix_) on_fix_(*fix);
+        fusion_.add(*fix);
+        if (!first_fix_) first_fix_ = fix->taken;
+        newest_fix_ = {fix->taken, fix->arrival};
+    }
+}
+
+std::optional<DeviceRecord> HeadTracker::camera_record() const {
+    if (!camera_) return std::nullopt;
+    const SourceCounts& counts = camera_->source().counts();
+    return DeviceRecord{"camera", counts,
+                        sample_rate_hz(camera_->counts().tracker.poses, first_fix_, newest_fix_)};
 }
 
 DeviceRecord HeadTracker::record() const {

@@ -9,7 +9,9 @@ Pacing::Pacing(const std::string& kind, const Display& display)
     : waits_(kind == "vsync"), display_(display) {}
 
 HostTime Pacing::wake_up(HostTime now) const {
-    if (!waits_) return now;
+    // A display that paces has just let the last frame go, at a VSync.
+    const bool paced = display_.vsync_knowledge().source == VsyncKnowledge::Source::display;
+    if (!waits_ || paced) return now;
     return display_.next_vsync(last_begin_ ? std::max(now, *last_begin_ + Nanoseconds(1)) : now);
 }
 

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "devices/camera/esp570.h"
+#include "devices/dk2/led_reports.h"
 #include "devices/gaze/requests.h"
 #include "rig/failure.h"
 #include "rig/session/panel_settings.h"
@@ -46,15 +48,28 @@ ReplayedWorld::ReplayedWorld(const Scenario& scenario, Clock& clock)
     : recording_(opened(replayed_file(scenario))),
       initial_yaw_rad_(yaw_of(recording_)),
       panel_(panel_settings(scenario, clock.now())),
-      headset_(recording_, "dk2", clock, {.loop = scenario.replay.loop}),
+      headset_(recording_, "dk2", clock,
+               {.loop = scenario.replay.loop,
+                .successive_requests = {dk2::PositionReport::kId, dk2::PatternReport::kId}}),
       gaze_tracker_(recording_, "gaze", clock,
-                    {.loop = scenario.replay.loop, .momentary_request = gaze::request::get_time}) {}
+                    {.loop = scenario.replay.loop, .momentary_request = gaze::request::get_time}) {
+    if (!scenario.tracking.camera) return;
+    if (!recording_.has("camera")) {
+        throw InputError(
+            fmt::format("{}: holds no frames of a tracker camera; expected tracking.camera = false",
+                        recording_.name()));
+    }
+    camera_.emplace(recording_, "camera", clock,
+                    ReplayedDevice::Settings{.loop = scenario.replay.loop,
+                                             .successive_requests = camera::request_selectors()});
+}
 
 bool ReplayedWorld::at_end() const {
     for (const ReplayedDevice* device : {&headset_, &gaze_tracker_}) {
         if (device->damage()) throw InputError(device->damage()->text);
     }
-    return headset_.at_end() && gaze_tracker_.at_end();
+    if (camera_ && camera_->damage()) throw InputError(camera_->damage()->text);
+    return headset_.at_end() && gaze_tracker_.at_end() && (!camera_ || camera_->at_end());
 }
 
 }  // namespace foverig

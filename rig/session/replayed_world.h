@@ -13,6 +13,7 @@ class ReplayedWorld final : public World {
     Transport& headset() override { return headset_; }
     Transport& gaze_tracker() override { return gaze_tracker_; }
     Display& display() override { return panel_; }
+    Transport* tracker_camera() override { return camera_ ? &*camera_ : nullptr; }
 
     double initial_yaw_rad() const override { return initial_yaw_rad_; }
     std::optional<dquat> true_head(HostTime) const override { return std::nullopt; }
@@ -25,6 +26,7 @@ class ReplayedWorld final : public World {
     double initial_yaw_rad_;
     VirtualPanel panel_;
     ReplayedDevice headset_, gaze_tracker_;
+    std::optional<ReplayedDevice> camera_;
 };
 
 }  // namespace foverig

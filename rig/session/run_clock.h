@@ -23,6 +23,10 @@ class RunClock {
     /// `fixed_share` of the fixed cost. A new stretch begins.
     void end_work(double fixed_share);
 
+    /// Of the frames from now on; where the cost is measured it stays so.
+    void set_fixed_ms(double ms) {
+        if (cost_.fixed_ms) cost_.fixed_ms = ms;
+    }
     bool fixed_cost() const { return manual_ != nullptr && cost_.fixed_ms.has_value(); }
 
   private:

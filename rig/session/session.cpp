@@ -26,13 +26,13 @@ HostTime mean_of(HostTime a, HostTime b) {
 }  // namespace
 
 Session::Session(const Scenario& scenario, const Scene& scene, Renderer& renderer, LensPass* lens,
-                 SessionRecording* recording)
+                 SessionRecording* recording, const LiveParts* live)
     : scenario_(scenario),
       renderer_(renderer),
       lens_(lens),
       clock_(scenario.clock, parse_cost(scenario.cost).value_or(Cost{}), replay_speed(scenario)),
       recording_(recording),
-      world_(make_world(scenario, clock_.clock())),
+      world_(make_world(scenario, clock_.clock(), live)),
       devices_(*world_, clock_.clock(), recording),
       flight_(scenario.camera, scene),
       views_(scenario.display),
@@ -44,7 +44,8 @@ RunRecord Session::run(const SessionHooks& hooks) {
     bool interrupted = false;
     while (share_done(frames_.size()) < 1.0 && !world_->at_end()) {
         if (hooks.stop_requested()) {
-            interrupted = true;
+            // A run without an end is meant to be ended so.
+            interrupted = scenario_.frames > 0 || scenario_.seconds > 0.0;
             break;
         }
         FrameRecord frame;
@@ -55,9 +56,12 @@ RunRecord Session::run(const SessionHooks& hooks) {
         frame.begin = clock_.now();
         frame.aimed_vsync = pacing_.aimed_vsync(frame.begin);
         const HostTime expected_vsync = pacing_.expected_vsync(frame.begin);
+        hooks.frame_begins(frame.begin);
         read_devices(frame.begin);
         FrameInput input = input_for(frame, expected_vsync);
+        if (const auto ms = hooks.fixed_ms()) clock_.set_fixed_ms(*ms);
         render_frame(frame, input);
+        draw(frame, expected_vsync);
         present(frame, expected_vsync);
         judge(frame, input);
         frames_.push_back(std::move(frame));
@@ -117,6 +121,43 @@ void Session::render_frame(FrameRecord& frame, FrameInput& input) {
     frame.numerics = stats.numerics;
     if (lens_ == nullptr) return;
     for (PassTime& pass : lens_->run(renderer_)) frame.passes.push_back(std::move(pass));
+}
+
+EyePicture Session::picture_of(int eye) const {
+    return {scenario_.display.eye_width_px, scenario_.display.eye_height_px,
+            [this, eye] {
+                const View<const Half4> pixels = renderer_.pixels(eye);
+                return std::as_bytes(std::span(pixels.data, pixels.size));
+            },
+            [this, eye](unsigned int texture) { return renderer_.copy_to_texture(eye, texture); }};
+}
+
+void Session::draw(FrameRecord& frame, HostTime expected_vsync) {
+    Display& display = world_->display();
+    if (!display.draws_pictures()) return;
+    FramePictures pictures;
+    pictures.eyes = eye_count(scenario_);
+    for (std::size_t i = 0; i < pictures.eyes; ++i) {
+        pictures.pictures[i] = picture_of(static_cast<int>(i));
+        pictures.world_from_head[i] = poses_[i].world_from_head;
+    }
+    if (scenario_.window.late_warp)
+        pictures.newest = [&] {
+            warp_to_newest(frame, expected_vsync);
+            return std::array{poses_[0].world_from_head, poses_[1].world_from_head};
+        };
+    const DrawTimes times = display.draw(pictures);
+    frame.passes.push_back({"window_upload", to_ms(times.upload)});
+    frame.passes.push_back({"window_lens", to_ms(times.lens)});
+}
+
+void Session::warp_to_newest(FrameRecord& frame, HostTime expected_vsync) {
+    devices_.read_until(clock_.now());
+    frame.warp = devices_.head().newest();
+    const Display& display = world_->display();
+    const HostTime vsync = std::max(expected_vsync, display.next_vsync(clock_.now()));
+    for (std::size_t i = 0; i < eye_count(scenario_); ++i)
+        poses_[i] = devices_.head().predict(display.timing().photon(vsync, kEyes[i]));
 }
 
 void Session::present(FrameRecord& frame, HostTime expected_vsync) {
@@ -203,9 +244,16 @@ RunRecord Session::finish(bool interrupted) {
     run.pipeline = scenario_.render.pipeline;
     run.backend = renderer_.backend_name();
     run.backend_bytes = renderer_.backend_bytes();
-    run.rate_hz = scenario_.display.rate_hz;
+    run.rate_hz = world_->display().timing().refresh_hz;
     run.fixed_cost = clock_.fixed_cost();
     run.interrupted = interrupted;
+    const Display& display = world_->display();
+    if (display.draws_pictures()) {
+        const VsyncKnowledge known = display.vsync_knowledge();
+        run.display =
+            DisplayRecord{.vsync_measured = known.source == VsyncKnowledge::Source::display,
+                          .vsync_error_ms = to_ms(known.error)};
+    }
     return run;
 }
 

@@ -10,6 +10,7 @@
 #include "rig/session/device_streams.h"
 #include "rig/session/eye_views.h"
 #include "rig/session/lens_pass.h"
+#include "rig/session/live_parts.h"
 #include "rig/session/pacing.h"
 #include "rig/session/run_clock.h"
 
@@ -24,6 +25,10 @@ struct SessionProgress {
 /// What others may do between two frames; none of it is on the frames' time.
 struct SessionHooks {
     std::function<bool()> stop_requested = [] { return false; };
+    /// Right after a frame's begin, on its time: what feeds devices by hand (a window's cursor).
+    std::function<void(HostTime)> frame_begins = [](HostTime) {};
+    /// At a fixed cost: what the frame that begins will cost; none: what the scenario says.
+    std::function<std::optional<double>()> fixed_ms = [] { return std::nullopt; };
     std::function<void(const SessionProgress&)> progress = [](const SessionProgress&) {};
     /// Returns whether images were kept of that frame.
     std::function<bool(const FrameRecord&, const FrameInput&, double share)> frame_done =
@@ -32,9 +37,10 @@ struct SessionHooks {
 
 class Session {
   public:
-    /// All outlive the session; `lens` may be null: no distortion pass. So may `recording`.
+    /// All outlive the session; `lens` may be null: no distortion pass. So may `recording`, and
+    /// `live`: no window.
     Session(const Scenario& scenario, const Scene& scene, Renderer& renderer, LensPass* lens,
-            SessionRecording* recording = nullptr);
+            SessionRecording* recording = nullptr, const LiveParts* live = nullptr);
 
     RunRecord run(const SessionHooks& hooks);
 
@@ -42,6 +48,9 @@ class Session {
     void read_devices(HostTime deadline);
     FrameInput input_for(FrameRecord& frame, HostTime expected_vsync);
     void render_frame(FrameRecord& frame, FrameInput& input);
+    EyePicture picture_of(int eye) const;
+    void draw(FrameRecord& frame, HostTime expected_vsync);
+    void warp_to_newest(FrameRecord& frame, HostTime expected_vsync);
     void present(FrameRecord& frame, HostTime expected_vsync);
     void show(FrameRecord& frame, const Presentation& shown);
     void judge(FrameRecord& frame, const FrameInput& input) const;

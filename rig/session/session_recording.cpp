@@ -55,6 +55,7 @@ SessionRecording::SessionRecording(const std::filesystem::path& file, const Scen
 SessionRecording::SessionRecording(std::unique_ptr<ByteSink> sink, const Scenario& scenario)
     : recorder_(or_throw(
           Recorder::begin(std::move(sink), {.wait_when_full = scenario.clock == "lockstep"}))),
+      decoded_(scenario.recording.decoded),
       frames_(recorder_->add_topic({.topic = "/frames",
                                     .message_encoding = "json",
                                     .schema_name = "foverig.FrameRecord",
@@ -90,6 +91,15 @@ Transport& SessionRecording::gaze_tracker(Transport& device, const Clock& clock)
                        .device_time = "u64 LE at byte 16, ns: when given to USB"});
 }
 
+Transport& SessionRecording::tracker_camera(Transport& device, const Clock& clock) {
+    if (decoded_) fixes_ = recorder_->add_topic(fix_topic());
+    return tracker_camera_.emplace(
+        device, *recorder_, clock,
+        RecordedDevice{.name = "camera",
+                       .packet_encoding = "x-fcf1",
+                       .device_time = "u32 LE at byte 20, us: from its time stamp to its arrival"});
+}
+
 void SessionRecording::calibration(const dk2::FactoryCalibration& factory) {
     recorder_->note({.name = "foverig.calibration.dk2",
                      .texts = {{"accel_offset_m_s2", numbers(factory.accel_offset_m_s2)},
@@ -117,6 +127,12 @@ void SessionRecording::sample(const GazeSample& sample) {
     if (!gaze_) return;
     write_json(text_, sample);
     recorder_->record(*gaze_, sample.arrival, sample.host_time, std::as_bytes(std::span(text_)));
+}
+
+void SessionRecording::sample(const PoseFix& fix) {
+    if (!fixes_) return;
+    write_json(text_, fix);
+    recorder_->record(*fixes_, fix.arrival, fix.taken, std::as_bytes(std::span(text_)));
 }
 
 void SessionRecording::frames(const std::vector<FrameRecord>& frames, bool at_end) {

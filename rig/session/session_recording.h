@@ -4,6 +4,7 @@
 
 #include "devices/dk2/factory_calibration.h"
 #include "devices/gaze/requests.h"
+#include "devices/recording/fix_json.h"
 #include "devices/recording/recorded_transport.h"
 #include "devices/recording/sample_json.h"
 #include "rig/records/run_record.h"
@@ -27,11 +28,13 @@ class SessionRecording {
     /// The devices, whose bytes are recorded from now on. All outlive the use of what is returned.
     Transport& headset(Transport& device, const Clock& clock);
     Transport& gaze_tracker(Transport& device, const Clock& clock);
+    Transport& tracker_camera(Transport& device, const Clock& clock);
     void calibration(const dk2::FactoryCalibration& factory);
     void calibration(const gaze::Info& tracker);
 
     void sample(const ImuSample& sample);
     void sample(const GazeSample& sample);
+    void sample(const PoseFix& fix);
     /// Frames of a run so far: all but the newest few, which may yet change, or all at its end.
     void frames(const std::vector<FrameRecord>& frames, bool at_end);
 
@@ -41,9 +44,10 @@ class SessionRecording {
 
   private:
     std::unique_ptr<Recorder> recorder_;
-    std::optional<Recorder::TopicId> imu_, gaze_;  // none: samples are left out
+    bool decoded_;
+    std::optional<Recorder::TopicId> imu_, gaze_, fixes_;  // none: left out
     Recorder::TopicId frames_;
-    std::optional<RecordedTransport> headset_, gaze_tracker_;
+    std::optional<RecordedTransport> headset_, gaze_tracker_, tracker_camera_;
     std::size_t frames_written_ = 0;
     std::string text_;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "rig/failure.h"
+#include "rig/session/live_parts.h"
 #include "rig/session/panel_settings.h"
 #include "simulators/gaze/tracker_geometry.h"
 #include "simulators/motion/catalog.h"
@@ -20,23 +21,43 @@ std::unique_ptr<T> motion_or_throw(const char* key, const std::string& name,
     throw UsageError(text);
 }
 
+/// Null where a cursor moves the eyes.
+std::unique_ptr<motion::EyeMotion> eyes_or_throw(const Scenario& scenario, bool pointed) {
+    const std::string& name = scenario.motion.gaze;
+    if (name == kMouseGaze) {
+        if (pointed) return nullptr;
+        throw UsageError(
+            "motion.gaze = mouse: the eyes follow the cursor of a window, and there is none; add "
+            "--display window");
+    }
+    return motion_or_throw("motion.gaze", name,
+                           motion::make_eye(name, seed_of(scenario, SeedStream::eyes)));
+}
+
 }  // namespace
 
-SimulatedWorld::SimulatedWorld(const Scenario& scenario, Clock& clock)
+SimulatedWorld::SimulatedWorld(const Scenario& scenario, Clock& clock,
+                               const motion::EyeMotion* pointed_eyes)
     : head_(motion_or_throw(
           "motion.head", scenario.motion.head,
           motion::make_head(scenario.motion.head, seed_of(scenario, SeedStream::head)))),
-      eyes_(motion_or_throw(
-          "motion.gaze", scenario.motion.gaze,
-          motion::make_eye(scenario.motion.gaze, seed_of(scenario, SeedStream::eyes)))),
+      eyes_(eyes_or_throw(scenario, pointed_eyes != nullptr)),
+      pointed_eyes_(eyes_ ? nullptr : pointed_eyes),
       start_(clock.now()),
       panel_(panel_settings(scenario, start_)),
       headset_(clock, *head_,
                {.faults = scenario.faults.dk2,
                 .seed = seed_of(scenario, SeedStream::dk2),
                 .panel = &panel_}),
-      gaze_tracker_(clock, *eyes_,
+      gaze_tracker_(clock, eyes_ ? *eyes_ : *pointed_eyes_,
                     {.faults = scenario.faults.gaze, .seed = seed_of(scenario, SeedStream::gaze)}) {
+    if (!scenario.tracking.camera) return;
+    auto leds = dk2::read_leds(headset_);
+    if (!leds) throw DeviceError("tracking.camera: " + leds.error().text);
+    camera_.emplace(clock, *head_, headset_,
+                    SimulatedCamera::Settings{.leds = std::move(leds).value(),
+                                              .faults = scenario.faults.camera,
+                                              .seed = seed_of(scenario, SeedStream::camera)});
 }
 
 double SimulatedWorld::initial_yaw_rad() const {
@@ -49,6 +70,7 @@ std::optional<dquat> SimulatedWorld::true_head(HostTime time) const {
 }
 
 std::optional<std::array<dvec3, 2>> SimulatedWorld::true_gaze(HostTime time) const {
+    if (!eyes_) return std::nullopt;  // nobody knows where a hand will move the cursor
     const auto state = eyes_->at(to_seconds(time.time_since_epoch()));
     return std::array{eye_direction(Side::left, state), eye_direction(Side::right, state)};
 }

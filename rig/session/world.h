@@ -19,6 +19,8 @@ class World {
     virtual Transport& headset() = 0;
     virtual Transport& gaze_tracker() = 0;
     virtual Display& display() = 0;
+    /// The DK2's tracker camera; null: none is asked for, or none is there.
+    virtual Transport* tracker_camera() = 0;
 
     /// Which way the head faces at the start, which no gravity shows.
     virtual double initial_yaw_rad() const = 0;
@@ -32,9 +34,12 @@ class World {
     virtual bool at_end() const = 0;
 };
 
-/// What the scenario's `devices` asks for. Throws UsageError for an unknown motion, InputError for
-/// a recording or trajectory that cannot be read, DeviceError for a device that cannot be opened.
-/// `clock` outlives the world.
-std::unique_ptr<World> make_world(const Scenario& scenario, Clock& clock);
+struct LiveParts;
+
+/// What the scenario's `devices` asks for, with `live` the window it brings (null: none). Throws
+/// UsageError for an unknown motion, InputError for a recording or trajectory that cannot be read,
+/// DeviceError for a device that cannot be opened. `clock` outlives the world.
+std::unique_ptr<World> make_world(const Scenario& scenario, Clock& clock,
+                                  const LiveParts* live = nullptr);
 
 }  // namespace foverig

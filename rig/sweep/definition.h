@@ -1,6 +1,7 @@
 #pragma once
 // What a sweep asks for: a base scenario, knobs, the points to try, how often and against what.
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,9 @@ struct Sweep {
     std::size_t warm_up_frames = 3;  ///< of every run: kept in the record, left out of the result
     std::string error = "acuity";    ///< of error_names(): the vertical axis
     std::vector<double> within;      ///< errors for which to name the cheapest setting
+    bool prices = false;             ///< also the base without each of its effects
+    /// The points of those, by effect; behind all others (prices.h).
+    std::map<std::string, std::size_t> price_points;
 
     /// Frames cost what the scenario says: times are modelled and nothing depends on the machine.
     bool fixed_cost() const { return base.cost != "measured"; }

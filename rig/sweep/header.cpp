@@ -41,19 +41,21 @@ json value_json(const KeyValue& value) {
 }
 
 json definition_json(const Sweep& sweep) {
-    return {{"name", sweep.name},
-            {"scenario", scenario_json(sweep.base)},
-            {"reference", reference_json(sweep)},
-            {"knobs", knob_names(sweep)},
-            {"points", points_json(sweep)},
-            {"default_point", sweep.default_point},
-            {"repetitions", sweep.repetitions},
-            {"order", sweep.order == Order::abba ? "abba" : "random"},
-            {"seed", sweep.seed},
-            {"warm_up_frames", sweep.warm_up_frames},
-            {"error", sweep.error},
-            {"within", sweep.within},
-            {"fixed_cost", sweep.fixed_cost()}};
+    json definition = {{"name", sweep.name},
+                       {"scenario", scenario_json(sweep.base)},
+                       {"reference", reference_json(sweep)},
+                       {"knobs", knob_names(sweep)},
+                       {"points", points_json(sweep)},
+                       {"default_point", sweep.default_point},
+                       {"repetitions", sweep.repetitions},
+                       {"order", sweep.order == Order::abba ? "abba" : "random"},
+                       {"seed", sweep.seed},
+                       {"warm_up_frames", sweep.warm_up_frames},
+                       {"error", sweep.error},
+                       {"within", sweep.within},
+                       {"fixed_cost", sweep.fixed_cost()}};
+    if (sweep.prices) definition["price_points"] = sweep.price_points;
+    return definition;
 }
 
 json header_json(const Sweep& sweep, const BuildInfo& build, const HostInfo& host,

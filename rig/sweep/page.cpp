@@ -5,6 +5,7 @@
 #include "rig/report/markup.h"
 #include "rig/report/style.h"
 #include "rig/sweep/plot.h"
+#include "rig/sweep/price_table.h"
 #include "rig/sweep/setting_text.h"
 
 namespace foverig::sweep {
@@ -209,6 +210,15 @@ std::string page(const json& pareto) {
                             front_table(pareto));
     if (const std::string table = within_table(pareto); !table.empty())
         html += report::section("The cheapest setting within an error", "", table);
+    if (pareto.contains("prices"))
+        html += report::section(
+            "What each effect costs and what it buys",
+            "The scenario as it is, against itself with one effect left out. Spent: milliseconds "
+            "that the effect adds. Error removed: what the error would be more without it; below "
+            "0 it adds error, as foveation does to save time: then error per ms is what a saved "
+            "millisecond costs. Intervals are of the differences, "
+            "run by run and frame by frame.",
+            price_table(pareto));
     if (const std::string table = pass_table(pareto); !table.empty())
         html += report::section("Where the time goes along the front",
                                 "Means of all runs beyond the warm-up.", table);

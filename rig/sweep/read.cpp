@@ -125,7 +125,7 @@ Sweep read_sweep(const fs::path& file) {
     const toml::table root = parsed(file);
     const TomlReader reader(file, root,
                             {"base", "scenario", "knobs", "design", "reference", "repetitions",
-                             "order", "seed", "warm_up_frames", "error", "within"});
+                             "order", "seed", "warm_up_frames", "error", "within", "prices"});
     Sweep sweep;
     sweep.name = file.stem().string();
     sweep.base = read_base(file, root, reader);
@@ -137,6 +137,7 @@ Sweep read_sweep(const fs::path& file) {
         static_cast<std::size_t>(reader.integer("warm_up_frames", 0, 1'000'000, 3));
     sweep.error = reader.choice("error", error_names(), "acuity");
     sweep.within = reader.numbers("within");
+    sweep.prices = reader.flag("prices", false);
     sweep.reference = read_reference(file, reader.table("reference"), sweep.base);
     sweep.knobs = read_knobs(file, reader.table("knobs"));
     check_base(file, sweep);

@@ -3,6 +3,7 @@
 #include "rig/scenario/cost.h"
 #include "rig/sweep/front.h"
 #include "rig/sweep/point_result.h"
+#include "rig/sweep/prices.h"
 
 namespace foverig::sweep {
 namespace {
@@ -123,7 +124,7 @@ Json pareto_json(const Measured& measured) {
     const auto axis = definition.at("error").get<std::string>();
     std::vector<Place> places;
     Json points = Json::array();
-    for (std::size_t point = 0; point < measured.points(); ++point) {
+    for (std::size_t point = 0; point < design_points(definition); ++point) {
         const PointResult result = result_of(measured, point);
         places.push_back({result.times.ms.value, result.errors.at(axis).mean.value});
         points.push_back(point_json(measured, point, result));
@@ -132,16 +133,18 @@ Json pareto_json(const Measured& measured) {
     for (const std::size_t point : front) points[point]["on_front"] = true;
     Json hosts = Json::array();
     for (const auto& host : measured.hosts) hosts.push_back(Json(host));
-    return {{"schema", "foverig.pareto/1"},
-            {"sweep", definition},
-            {"build", measured.build},
-            {"hosts", std::move(hosts)},
-            {"modelled", definition.at("fixed_cost")},
-            {"error", axis},
-            {"budget_ms", budget_ms(definition, nlohmann::json::object())},
-            {"points", std::move(points)},
-            {"front", front_json(places, front)},
-            {"cheapest_within", within_json(places, front, definition.at("within"))}};
+    Json pareto = {{"schema", "foverig.pareto/1"},
+                   {"sweep", definition},
+                   {"build", measured.build},
+                   {"hosts", std::move(hosts)},
+                   {"modelled", definition.at("fixed_cost")},
+                   {"error", axis},
+                   {"budget_ms", budget_ms(definition, nlohmann::json::object())},
+                   {"points", std::move(points)},
+                   {"front", front_json(places, front)},
+                   {"cheapest_within", within_json(places, front, definition.at("within"))}};
+    if (definition.contains("price_points")) pareto["prices"] = prices_json(measured);
+    return pareto;
 }
 
 }  // namespace foverig::sweep

@@ -51,6 +51,15 @@ std::string TomlReader::choice(const char* name, const std::vector<std::string>&
     return text->get();
 }
 
+bool TomlReader::flag(const char* name, bool otherwise) const {
+    const toml::node* node = table_.get(name);
+    if (node == nullptr) return otherwise;
+    if (!node->is_boolean())
+        refuse(file_, *node,
+               fmt::format("{} is {}; expected true or false", name, described(*node)));
+    return node->as_boolean()->get();
+}
+
 std::vector<double> TomlReader::numbers(const char* name) const {
     const toml::node* node = table_.get(name);
     if (node == nullptr) return {};

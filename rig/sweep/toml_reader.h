@@ -23,6 +23,7 @@ class TomlReader {
                          std::int64_t otherwise) const;
     std::string choice(const char* name, const std::vector<std::string>& choices,
                        const std::string& otherwise) const;
+    bool flag(const char* name, bool otherwise) const;
     /// Empty where it is not there.
     std::vector<double> numbers(const char* name) const;
     /// Nullptr where it is not there.

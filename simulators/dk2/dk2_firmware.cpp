@@ -21,6 +21,12 @@ SimulatedDeviceClock device_clock(const Dk2Firmware::Settings& s) {
         s.seed);
 }
 
+// The firmware shows the pattern's frame first and steps on after it.
+std::uint8_t pattern_of(const dk2::TrackingReport& tracking, std::int64_t exposures) {
+    if (!tracking.auto_increment || tracking.pattern == 0xFF) return tracking.pattern;
+    return static_cast<std::uint8_t>((tracking.pattern + exposures - 1) % kPatternFrames);
+}
+
 }  // namespace
 
 Dk2Firmware::Dk2Firmware(const Settings& settings)
@@ -152,10 +158,20 @@ void Dk2Firmware::fill_tracking(dk2::InputReport11& report, HostTime now) const 
     if (exposures < 1) return;
     report.tracking_count = static_cast<std::uint16_t>(exposures);
     report.tracking_timestamp_us = stamp_us(features_.tracking_since() + exposures * interval);
-    if (tracking.auto_increment && tracking.pattern != 0xFF) {
-        report.tracking_pattern =
-            static_cast<std::uint8_t>((tracking.pattern + exposures - 1) % kPatternFrames);
-    }
+    report.tracking_pattern = pattern_of(tracking, exposures);
+}
+
+std::optional<LedFlash> Dk2Firmware::flash_after(HostTime t) const {
+    const dk2::TrackingReport& tracking = features_.tracking();
+    if (!tracking.enable || tracking.frame_interval_us == 0) return std::nullopt;
+    const auto interval = std::chrono::microseconds(tracking.frame_interval_us);
+    const Nanoseconds since = std::max(Nanoseconds{0}, t - features_.tracking_since());
+    const std::int64_t exposures = since / interval + 1;
+    const HostTime start = features_.tracking_since() + exposures * interval;
+    if (!features_.alive(start)) return std::nullopt;
+    return LedFlash{.start = start,
+                    .length = std::chrono::microseconds(tracking.exposure_us),
+                    .pattern = pattern_of(tracking, exposures)};
 }
 
 }  // namespace foverig

@@ -7,6 +7,7 @@
 
 #include "simulators/dk2/feature_bank.h"
 #include "simulators/dk2/imu_model.h"
+#include "simulators/dk2/led_light.h"
 #include "simulators/dk2/panel_sensor.h"
 #include "simulators/dk2/report_wire.h"
 #include "simulators/dk2/sample_packer.h"
@@ -32,8 +33,11 @@ class Dk2Firmware {
     /// When something happens next.
     HostTime next_event() const;
 
+    /// The first flash of the LEDs that starts after `t`, as they are set now.
+    std::optional<LedFlash> flash_after(HostTime t) const;
+
     Status set(Bytes report, HostTime now);
-    Result<std::vector<std::byte>> get(std::uint8_t id) const { return features_.get(id); }
+    Result<std::vector<std::byte>> get(std::uint8_t id) { return features_.get(id); }
 
   private:
     void sample();

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "devices/dk2/led_reports.h"
+#include "simulators/dk2/led_table.h"
+
 namespace foverig {
 namespace {
 
@@ -12,6 +15,26 @@ Status store(Report& kept, Bytes report) {
     if (!decoded) return decoded.error();
     kept = *decoded;
     return Done{};
+}
+
+dk2::PositionReport position(std::size_t index) {
+    dk2::PositionReport report;
+    report.index = static_cast<std::uint16_t>(index);
+    report.count = kLedTable.size() + 1;
+    if (index == kLedTable.size()) {
+        report.position_um = kImuPosition_um;
+        report.kind = dk2::PositionReport::Kind::imu;
+    } else {
+        report.position_um = kLedTable[index].position_um;
+        report.normal = kLedTable[index].normal;
+    }
+    return report;
+}
+
+dk2::PatternReport pattern(std::size_t index) {
+    return {.sequence = dk2::PatternReport::sequence_of(kLedTable[index].code),
+            .index = static_cast<std::uint16_t>(index),
+            .count = kLedTable.size()};
 }
 
 }  // namespace
@@ -71,7 +94,7 @@ Status FeatureBank::set(Bytes report, HostTime now) {
     return status;
 }
 
-Result<std::vector<std::byte>> FeatureBank::get(std::uint8_t id) const {
+Result<std::vector<std::byte>> FeatureBank::get(std::uint8_t id) {
     switch (id) {
         case dk2::ConfigReport::kId:
             return to_vector(config_.encode());
@@ -87,6 +110,16 @@ Result<std::vector<std::byte>> FeatureBank::get(std::uint8_t id) const {
             return to_vector(tracking_.encode());
         case dk2::DisplayReport::kId:
             return to_vector(display_.encode());
+        case dk2::PositionReport::kId: {
+            const std::size_t index = next_position_;
+            next_position_ = (index + 1) % (kLedTable.size() + 1);
+            return to_vector(position(index).encode());
+        }
+        case dk2::PatternReport::kId: {
+            const std::size_t index = next_pattern_;
+            next_pattern_ = (index + 1) % kLedTable.size();
+            return to_vector(pattern(index).encode());
+        }
         case dk2::KeepAliveMuxReport::kId:
             return to_vector(keep_alive_.encode());
         case dk2::GyroOffsetReport::kId:

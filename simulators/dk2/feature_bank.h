@@ -19,7 +19,8 @@ class FeatureBank {
 
     /// `report` is the whole report, id included. What the firmware only answers cannot be set.
     Status set(Bytes report, HostTime now);
-    Result<std::vector<std::byte>> get(std::uint8_t id) const;
+    /// Steps to the next index where the firmware does (reports 15 and 16).
+    Result<std::vector<std::byte>> get(std::uint8_t id);
 
     /// Input reports flow and LEDs light; false after a time-out without any SET.
     bool alive(HostTime now) const;
@@ -41,6 +42,7 @@ class FeatureBank {
     dk2::DisplayReport display_;
     dk2::KeepAliveMuxReport keep_alive_;
     HostTime tracking_since_{};
+    std::size_t next_position_ = 0, next_pattern_ = 0;
 };
 
 }  // namespace foverig

@@ -65,6 +65,12 @@ NextPacket SimulatedDk2::next(HostTime deadline) {
     }
 }
 
+std::optional<LedFlash> SimulatedDk2::flash_after(HostTime t) const {
+    if (!firmware_) return std::nullopt;
+    const auto flash = firmware_->flash_after(t);
+    return flash && flash->start < unplugged_at_ ? flash : std::nullopt;
+}
+
 Status SimulatedDk2::control_set(std::uint8_t id, std::uint16_t, std::span<const std::byte> data) {
     advance(clock_.now());
     if (!firmware_) return unplugged();

@@ -10,7 +10,7 @@ namespace foverig {
 
 /// Bytes are made as time passes on `clock`, up to the deadline that is asked for and no further;
 /// `next` waits on the clock where the next packet lies ahead. Motion time is host time.
-class SimulatedDk2 final : public Transport {
+class SimulatedDk2 final : public Transport, public LedLight {
   public:
     struct Settings {
         Dk2Faults faults{};
@@ -30,6 +30,7 @@ class SimulatedDk2 final : public Transport {
                        std::span<const std::byte> data) override;
     Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
                                                std::size_t size) override;
+    std::optional<LedFlash> flash_after(HostTime t) const override;
 
   private:
     void plug_in(HostTime now);

@@ -17,6 +17,7 @@ using F = FaultSettings;
 using D = Dk2Faults;
 using G = GazeFaults;
 using P = PanelFaults;
+using C = CameraFaults;
 
 constexpr std::array kFaults{
     FaultInfo{"dk2", "noise", "x", "white noise of gyro and accelerometer, times the chip's", 1.0,
@@ -86,6 +87,20 @@ constexpr std::array kFaults{
               field<&F::panel, &P::vsync_jitter>},
     FaultInfo{"panel", "lost_readback", "chance", "a read of the corner pixel is lost", 0.01, 0.0,
               1.0, field<&F::panel, &P::lost_readback>},
+    FaultInfo{"camera", "noise", "x", "read and shot noise, times the sensor's", 1.0, 0.0, 100.0,
+              field<&F::camera, &C::noise>},
+    FaultInfo{"camera", "dropout", "chance", "a frame is lost", 0.02, 0.0, 1.0,
+              field<&F::camera, &C::dropout>},
+    FaultInfo{"camera", "spots", "spots", "lights in the room that are no LEDs", 8.0, 0.0, 100.0,
+              field<&F::camera, &C::spots>},
+    FaultInfo{"camera", "occlude_at", "s", "with occlude_for: when the LEDs are covered", 5.0, 0.0,
+              1e6, field<&F::camera, &C::occlude_at>},
+    FaultInfo{"camera", "occlude_for", "s", "how long they are covered; 0 is never", 2.0, 0.0, 1e6,
+              field<&F::camera, &C::occlude_for>},
+    FaultInfo{"camera", "unplug_at", "s", "with unplug_for: when the cable is pulled", 5.0, 0.0,
+              1e6, field<&F::camera, &C::unplug_at>},
+    FaultInfo{"camera", "unplug_for", "s", "how long the cable stays out; 0 is never pulled", 1.0,
+              0.0, 1e6, field<&F::camera, &C::unplug_for>},
 };
 
 }  // namespace
@@ -110,8 +125,9 @@ Status set_fault(FaultSettings& faults, std::string_view device, std::string_vie
         return Done{};
     }
     if (kinds.empty()) {
-        return Error{ErrorCode::not_found,
-                     fmt::format("faults.{}: no such device; expected dk2, gaze or panel", device)};
+        return Error{
+            ErrorCode::not_found,
+            fmt::format("faults.{}: no such device; expected dk2, gaze, panel or camera", device)};
     }
     return Error{
         ErrorCode::not_found,

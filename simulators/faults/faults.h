@@ -48,6 +48,17 @@ struct GazeFaults {
     double unplug_for = 0.0;      ///< s
 };
 
+/// The tracker camera (DEVICES.md 1.8).
+struct CameraFaults {
+    double noise = 0.0;        ///< times the sensor's read and shot noise
+    double dropout = 0.0;      ///< chance that a frame is lost
+    double spots = 0.0;        ///< lights in the room that are no LEDs
+    double occlude_at = 0.0;   ///< s
+    double occlude_for = 0.0;  ///< s
+    double unplug_at = 0.0;    ///< s
+    double unplug_for = 0.0;   ///< s
+};
+
 /// DEVICES.md 1.7, 2.3.
 struct PanelFaults {
     double vsync_jitter = 0.0;   ///< us, standard deviation
@@ -58,6 +69,7 @@ struct FaultSettings {
     Dk2Faults dk2;
     GazeFaults gaze;
     PanelFaults panel;
+    CameraFaults camera;
 };
 
 struct FaultInfo {

@@ -7,7 +7,7 @@
 namespace foverig {
 namespace {
 
-constexpr std::size_t kKeptExchanges = 64;
+constexpr std::size_t kKeptExchanges = 256;
 constexpr Nanoseconds kLoopPause{1'000'000};  // between the last packet and the first one again
 
 std::set<std::uint16_t> channels_of(const Recording& recording, const std::string& device) {
@@ -65,7 +65,7 @@ void ReplayedDevice::take_message(const mcap::Message& message) {
         const Error error{exchange->error.value_or(ErrorCode::closed), exchange->text()};
         ahead_ = Item{time, Fault{error}};
     } else if (exchange->kind == ControlExchange::Kind::get) {
-        exchanges_.push_back({time, std::move(exchange).value()});
+        exchanges_.push_back({.time = time, .what = std::move(exchange).value()});
         if (exchanges_.size() > kKeptExchanges) exchanges_.pop_front();
     }
 }
@@ -105,7 +105,16 @@ Result<std::vector<std::byte>> ReplayedDevice::control_get(std::uint8_t id, std:
         return e.what.id == id && e.what.value == value && e.what.asked_size == size &&
                (!momentary || e.time == clock_.now());
     };
-    const auto found = std::find_if(exchanges_.rbegin(), exchanges_.rend(), answers);
+    auto found = std::find_if(exchanges_.rbegin(), exchanges_.rend(), answers);
+    const auto& successive = settings_.successive_requests;
+    if (std::find(successive.begin(), successive.end(), id) != successive.end()) {
+        const auto next = std::find_if(exchanges_.begin(), exchanges_.end(),
+                                       [&](const Exchange& e) { return !e.given && answers(e); });
+        if (next != exchanges_.end()) {
+            next->given = true;
+            found = std::make_reverse_iterator(next + 1);
+        }
+    }
     if (found == exchanges_.rend()) {
         return Error{ErrorCode::unsupported, "the recording has no answer to this request"};
     }

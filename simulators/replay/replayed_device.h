@@ -18,6 +18,9 @@ class ReplayedDevice final : public Transport {
         /// A request whose answer holds only at the instant of asking, as GET_TIME: an answer that
         /// was recorded at another instant is none. Absent: the device has none.
         std::optional<std::uint8_t> momentary_request{};
+        /// Requests whose answers differ from one to the next, as of a table that the device walks
+        /// through: they are given in their order.
+        std::vector<std::uint8_t> successive_requests{};
     };
 
     /// `device` is one that the recording has; the clock outlives this.
@@ -30,7 +33,7 @@ class ReplayedDevice final : public Transport {
     /// Accepted without effect: what the device did about it is in the recording.
     Status control_set(std::uint8_t id, std::uint16_t value,
                        std::span<const std::byte> data) override;
-    /// The newest recorded answer to this very request.
+    /// The newest recorded answer to this very request, or the next of successive ones.
     Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
                                                std::size_t size) override;
 
@@ -47,6 +50,7 @@ class ReplayedDevice final : public Transport {
     struct Exchange {
         HostTime time;
         ControlExchange what;
+        bool given = false;
     };
 
     void read_ahead();

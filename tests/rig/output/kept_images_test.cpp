@@ -60,8 +60,8 @@ TEST(KeptImages, WritesWhatIsThereAndNamesIt) {
     images.run_done(input_of(7), renderer);
     images.compare_with(full, [] { return false; });
     const auto list = images.write(folder, nullptr);
-    // Two eyes with final, sampling and error each; the fake has no resampling mask.
-    EXPECT_EQ(list.size(), 6U);
+    // Two eyes with final, full, sampling and error each; the fake has no resampling mask.
+    EXPECT_EQ(list.size(), 8U);
     for (const auto& image : list) {
         EXPECT_TRUE(fs::exists(folder / image["file"].get<std::string>())) << image.dump();
         EXPECT_EQ(image["frame"], 7);

@@ -100,6 +100,18 @@ TEST_F(ReportTest, TakesLatencyApartIntoLinksThatAddUp) {
     EXPECT_THAT(html, Not(HasSubstr("<b>gaze to photon</b>")));  // no gaze was measured
 }
 
+TEST_F(ReportTest, NamesTheWorstFrameAndThePassThatMadeItSo) {
+    RunRecord run = some_run();
+    run.frames[5].submit = at_ms(13.333 * 5 + 30.0);
+    run.frames[5].present = at_ms(13.333 * 5 + 31.0);
+    run.frames[5].passes = {{"trace_primary", 5.5}, {"shade", 23.0}};
+    const std::string html = page_of(run, nlohmann::json::array());
+    EXPECT_THAT(html, HasSubstr("<td class=\"n\">5</td><td class=\"n\">31.0</td>"
+                                "<td class=\"n\">+22.0</td>"));
+    EXPECT_THAT(html, HasSubstr("<code>shade</code> +21.0 ms"));
+    EXPECT_THAT(html, HasSubstr("foverig run scenario.toml --out again"));
+}
+
 TEST_F(ReportTest, SaysWhetherTheRateHolds) {
     EXPECT_THAT(page_of(some_run(), nlohmann::json::array()), HasSubstr("Holds 75 Hz"));
     RunRecord slow = some_run();
@@ -164,6 +176,15 @@ TEST(Picture, ShrinksInLinearLight) {
     const Picture one = shrunk(checker, 1);
     ASSERT_EQ(one.rgb.size(), 3U);
     EXPECT_EQ(one.rgb[0], 188);
+}
+
+TEST(Picture, IsCroppedAroundAPlaceAndInside) {
+    Picture row{4, 1, {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3}};
+    EXPECT_EQ(cropped(row, 2.0, 0.5, 2).rgb, (std::vector<std::uint8_t>{1, 1, 1, 2, 2, 2}));
+    Picture square{3, 3, std::vector<std::uint8_t>(27, 7)};
+    square.rgb[26] = 9;
+    EXPECT_EQ(cropped(square, 99.0, 99.0, 2).rgb.back(), 9);
+    EXPECT_EQ(cropped(square, -5.0, -5.0, 2).rgb.size(), 12U);
 }
 
 TEST(Picture, NeverGrows) {

@@ -35,7 +35,8 @@ TEST(Faults, UnknownNamesAndValuesGetASentence) {
         const Status status = set_fault(faults, device, kind, value);
         return status ? std::string() : status.error().text;
     };
-    EXPECT_NE(text("dk3", "noise", 1.0).find("expected dk2, gaze or panel"), std::string::npos);
+    EXPECT_NE(text("dk3", "noise", 1.0).find("expected dk2, gaze, panel or camera"),
+              std::string::npos);
     EXPECT_NE(text("dk2", "nose", 1.0).find("noise"), std::string::npos);
     EXPECT_NE(text("dk2", "dropout", 1.5).find("expected 0 to 1"), std::string::npos);
     EXPECT_NE(text("dk2", "dropout", std::nan("")).find("out of range"), std::string::npos);

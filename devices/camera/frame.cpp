@@ -1,0 +1,75 @@
+#include "devices/camera/frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foverig::camera {
+namespace {
+
+constexpr std::size_t kLargestImage = std::size_t{64} << 20;
+
+Error refused(const std::string& why) {
+    return {ErrorCode::invalid_data, "camera frame refused: " + why};
+}
+
+std::size_t bytes_per_pixel(std::uint32_t format) {
+    return format == kYuyv ? 2 : 1;
+}
+
+}  // namespace
+
+Result<FrameHeader> decode_header(Bytes b) {
+    if (b.size() < FrameHeader::kSize || read_u32(b, 0) != FrameHeader::kMagic) {
+        return refused("no frame header (expected FCF1 and 32 bytes)");
+    }
+    const FrameHeader h{.format = read_u32(b, 4),
+                        .width_px = read_u16(b, 8),
+                        .height_px = read_u16(b, 10),
+                        .stride_bytes = read_u32(b, 12),
+                        .sequence = read_u32(b, 16),
+                        .age_us = read_u32(b, 20),
+                        .damaged = (read_u32(b, 24) & 1u) != 0,
+                        .image_bytes = read_u32(b, 28)};
+    if (h.format != kGrey && h.format != kYuyv) {
+        return refused(fmt::format("format {:#010x}; expected GREY or YUYV", h.format));
+    }
+    const std::size_t row_bytes = h.width_px * bytes_per_pixel(h.format);
+    const std::size_t needed =
+        h.height_px == 0 ? 0
+                         : std::size_t{h.stride_bytes} * (std::size_t{h.height_px} - 1) + row_bytes;
+    if (row_bytes == 0 || h.height_px == 0 || h.stride_bytes < row_bytes) {
+        return refused(fmt::format("{} x {} pixels in rows of {} bytes", h.width_px, h.height_px,
+                                   h.stride_bytes));
+    }
+    if (h.image_bytes != b.size() - FrameHeader::kSize || h.image_bytes < needed ||
+        h.image_bytes > kLargestImage) {
+        return refused(fmt::format("{} bytes of image, its header says {} and its size asks {}",
+                                   b.size() - FrameHeader::kSize, h.image_bytes, needed));
+    }
+    return h;
+}
+
+std::vector<std::byte> encode_frame(FrameHeader header, Bytes image) {
+    std::vector<std::byte> b(FrameHeader::kSize + image.size());
+    write_u32(b, 0, FrameHeader::kMagic);
+    write_u32(b, 4, header.format);
+    write_u16(b, 8, header.width_px);
+    write_u16(b, 10, header.height_px);
+    write_u32(b, 12, header.stride_bytes);
+    write_u32(b, 16, header.sequence);
+    write_u32(b, 20, header.age_us);
+    write_u32(b, 24, header.damaged ? 1 : 0);
+    write_u32(b, 28, static_cast<std::uint32_t>(image.size()));
+    std::copy(image.begin(), image.end(), b.begin() + FrameHeader::kSize);
+    return b;
+}
+
+GreyView tracker_image(const FrameHeader& header, Bytes packet) {
+    return {.width_px = static_cast<int>(header.width_px * bytes_per_pixel(header.format)),
+            .height_px = header.height_px,
+            .stride_bytes = header.stride_bytes,
+            .bytes = packet.subspan(FrameHeader::kSize)};
+}
+
+}  // namespace foverig::camera

@@ -1,0 +1,65 @@
+#pragma once
+// A camera over V4L2: memory-mapped streaming of GREY or YUYV frames, and the extension unit of a
+// UVC camera (DEVICES.md 1.8). Packets are camera/frame.h's.
+#include <memory>
+#include <vector>
+
+#include "devices/hardware/found_device.h"
+#include "devices/hardware/link.h"
+#include "devices/hardware/video_calls.h"
+
+namespace foverig::hardware {
+
+/// What is asked of a camera; it may answer with another size.
+struct VideoMode {
+    std::uint32_t format = 0;  ///< fourcc
+    std::uint32_t width_px = 0, height_px = 0, rate_hz = 60;
+};
+
+/// The tracker camera's: GREY where the kernel knows the DK2's quirk, else the YUYV of half the
+/// width that the camera advertises.
+std::vector<VideoMode> tracker_modes();
+
+class VideoLink final : public Link {
+  public:
+    /// The first mode that the camera takes as it is asked. Streams from now on. Errors: forbidden,
+    /// busy, closed, unsupported, io.
+    static Result<std::unique_ptr<Link>> open(const FoundDevice& device,
+                                              const std::vector<VideoMode>& modes,
+                                              std::shared_ptr<VideoCalls> calls = kernel_video());
+    ~VideoLink() override;
+
+    Status read(PacketQueue& packets) override;
+    /// SET_CUR of selector `id` of the extension unit `value`.
+    Status control_set(std::uint8_t id, std::uint16_t value, Bytes data) override;
+    /// GET_CUR of the same.
+    Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
+                                               std::size_t size) override;
+
+  private:
+    struct Buffer {
+        void* memory = nullptr;
+        std::size_t size = 0;
+    };
+
+    VideoLink(std::string path, std::shared_ptr<VideoCalls> calls, int file)
+        : path_(std::move(path)), calls_(std::move(calls)), file_(file) {}
+
+    Status choose(const std::vector<VideoMode>& modes);
+    Status map_buffers();
+    Status start();
+    Status give_back(std::uint32_t index);
+    Status query(std::uint8_t request, std::uint8_t selector, std::uint16_t unit,
+                 std::span<std::byte> data);
+    Error failed(const char* doing) const;
+
+    std::string path_;
+    std::shared_ptr<VideoCalls> calls_;
+    int file_;
+    std::vector<Buffer> buffers_;
+    bool streaming_ = false;
+    std::uint32_t format_ = 0, stride_bytes_ = 0;
+    std::uint16_t width_px_ = 0, height_px_ = 0;
+};
+
+}  // namespace foverig::hardware

@@ -1,0 +1,55 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "renderer/renderer.h"
+#include "rig/governor/governor.h"
+#include "rig/governor/ladder.h"
+#include "rig/records/run_record.h"
+
+namespace foverig::governor {
+
+/// A renderer for each of a ladder's settings, of which a governor chooses one a frame. One that
+/// was not used for a while comes back with the history it had.
+class GovernedRenderer : public Renderer {
+  public:
+    using Open = std::function<std::unique_ptr<Renderer>(const RenderSettings&)>;
+
+    GovernedRenderer(Ladder ladder, const Limits& limits, const Open& open);
+
+    FrameStats render(const FrameInput& input) override;
+    /// Tells the governor, who chooses for the next frame.
+    void frame_took(double ms) { governor_.frame_took(ms); }
+    /// At a fixed cost the dearest setting costs that, the others in proportion to the ladder.
+    double fixed_ms(double dearest_ms) const;
+
+    /// What was chosen for each frame, in their order.
+    const std::vector<std::uint32_t>& chosen() const { return chosen_; }
+    GovernorRecord record() const;
+
+    const EffectPlan& plan() const override { return now().plan(); }
+    std::string backend_name() const override { return now().backend_name(); }
+    /// Of all settings: they are all there.
+    std::uint64_t backend_bytes() const override;
+    Image image(int eye) const override { return now().image(eye); }
+    View<const Half4> pixels(int eye) const override { return now().pixels(eye); }
+    Mask sampling_mask(int eye) const override { return now().sampling_mask(eye); }
+    Mask resampling_mask(int eye) const override { return now().resampling_mask(eye); }
+    double estimated_error() const override { return now().estimated_error(); }
+
+  private:
+    const Renderer& now() const { return *renderers_[shown_]; }
+
+    Ladder ladder_;
+    Limits limits_;
+    Governor governor_;
+    std::vector<std::unique_ptr<Renderer>> renderers_;
+    std::size_t shown_ = 0;  ///< whose images there are: the last frame's
+    std::vector<std::uint32_t> chosen_;
+};
+
+/// What a scenario's governor is to keep to.
+Limits limits_of(const Scenario& scenario);
+
+}  // namespace foverig::governor

@@ -1,0 +1,97 @@
+#include "simulators/usb/camera_descriptors.h"
+
+#include <string_view>
+
+#include "devices/camera/esp570.h"
+#include "simulators/usb/descriptors.h"
+
+namespace foverig::usb {
+namespace {
+
+constexpr unsigned kClassInterface = 0x24;
+constexpr unsigned kInputTerminal = 1, kOutputTerminal = 3;
+
+constexpr std::string_view kUnitGuid("foverig eSP570  ", 16);
+// USB Video Class, Uncompressed Payload 1.0, table 2-1.
+constexpr std::string_view kYuy2Guid("YUY2\x00\x00\x10\x00\x80\x00\x00\xAA\x00\x38\x9B\x71", 16);
+
+unsigned byte_of(std::uint32_t value, int index) {
+    return value >> (8 * index) & 0xFFU;
+}
+
+void append(std::vector<std::byte>& out, const std::vector<std::byte>& bytes) {
+    out.insert(out.end(), bytes.begin(), bytes.end());
+}
+
+void append(std::vector<std::byte>& out, std::string_view guid) {
+    for (const char c : guid) out.push_back(static_cast<std::byte>(c));
+}
+
+/// A class header and what follows it; the header's wTotalLength lies at `length_at`.
+std::vector<std::byte> with_total_length(std::vector<std::byte> all, std::size_t length_at) {
+    all[length_at] = static_cast<std::byte>(byte_of(static_cast<std::uint32_t>(all.size()), 0));
+    all[length_at + 1] = static_cast<std::byte>(byte_of(static_cast<std::uint32_t>(all.size()), 1));
+    return all;
+}
+
+std::vector<std::byte> video_control() {
+    auto all = bytes_of({13, kClassInterface, 1, 0x00, 0x01, 0, 0, 0x80, 0x8D, 0x5B, 0x00, 1, 1});
+    append(all, bytes_of({18, kClassInterface, 2, kInputTerminal, 0x01, 0x02, 0, 0, 0, 0, 0, 0, 0,
+                          0, 3, 0, 0, 0}));
+    // Controls 2, 3 and 5 of the bridge chip.
+    append(all, bytes_of({26, kClassInterface, 6, camera::kExtensionUnit}));
+    append(all, kUnitGuid);
+    append(all, bytes_of({3, 1, kInputTerminal, 1, 0x16, 0}));
+    append(all, bytes_of({9, kClassInterface, 3, kOutputTerminal, 0x01, 0x01, 0,
+                          camera::kExtensionUnit, 0}));
+    return with_total_length(std::move(all), 5);
+}
+
+std::vector<std::byte> video_streaming() {
+    auto all = bytes_of({14, kClassInterface, 1, 1, 0, 0, 0x80U | kCameraFrames, 0, kOutputTerminal,
+                         0, 0, 0, 1, 0});
+    append(all, bytes_of({27, kClassInterface, 4, 1, 1}));  // one frame size
+    append(all, kYuy2Guid);
+    append(all, bytes_of({16, 1, 0, 0, 0, 0}));
+    constexpr std::uint32_t kBits_s = kCameraFrameBytes * 8 * 60;
+    auto frame = bytes_of({30, kClassInterface, 5, 1, 0, 0x78, 0x01, 0xE0, 0x01});
+    const auto append_word = [&](std::uint32_t word) {
+        for (int i = 0; i < 4; ++i) frame.push_back(static_cast<std::byte>(byte_of(word, i)));
+    };
+    append_word(kBits_s);
+    append_word(kBits_s);
+    append_word(kCameraFrameBytes);
+    append_word(kCameraInterval);
+    frame.push_back(std::byte{1});
+    append_word(kCameraInterval);
+    append(all, frame);
+    return with_total_length(std::move(all), 4);
+}
+
+}  // namespace
+
+std::uint16_t extension_size(std::uint8_t selector) {
+    switch (selector) {
+        case camera::i2c::kSelector:
+            return static_cast<std::uint16_t>(std::tuple_size_v<camera::i2c::Buffer>);
+        case 3:  // of two words whose meaning is not known
+            return 4;
+        case camera::eeprom::kSelector:
+            return static_cast<std::uint16_t>(std::tuple_size_v<camera::eeprom::Buffer>);
+        default:
+            return 0;
+    }
+}
+
+std::vector<std::byte> camera_interfaces() {
+    constexpr unsigned kVideo = 0x0E;
+    auto all = bytes_of({8, 0x0B, 0, 2, kVideo, 3, 0, 0});  // the two belong together
+    append(all, bytes_of({9, 4, 0, 0, 0, kVideo, 1, 0, 0}));
+    append(all, video_control());
+    append(all, bytes_of({9, 4, 1, 0, 1, kVideo, 2, 0, 0}));
+    append(all, video_streaming());
+    append(all, bytes_of({7, 5, 0x80U | kCameraFrames, 2, 0x00, 0x02, 0}));
+    return all;
+}
+
+}  // namespace foverig::usb
