@@ -34,6 +34,9 @@ class GovernedRenderer : public Renderer {
     std::uint64_t backend_bytes() const override;
     Image image(int eye) const override { return now().image(eye); }
     View<const Half4> pixels(int eye) const override { return now().pixels(eye); }
+    bool copy_to_texture(int eye, unsigned int gl_texture) const override {
+        return now().copy_to_texture(eye, gl_texture);
+    }
     Mask sampling_mask(int eye) const override { return now().sampling_mask(eye); }
     Mask resampling_mask(int eye) const override { return now().resampling_mask(eye); }
     double estimated_error() const override { return now().estimated_error(); }
