@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
     register_kernels();
     register_devices();
     register_hour();
+    register_transport(bench);
     add_context(o);
     if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;
     bench.results.write();

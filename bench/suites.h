@@ -28,5 +28,6 @@ void register_metrics(Bench& bench);
 void register_kernels();
 void register_devices();
 void register_hour();
+void register_transport(Bench& bench);
 
 }  // namespace foverig::bench

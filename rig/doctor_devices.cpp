@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "devices/hardware/found_cameras.h"
+#include "devices/hardware/live_transport.h"
 
 namespace foverig {
 namespace {
@@ -58,7 +59,7 @@ std::string kernel_interfaces() {
 std::string realtime() {
     rlimit limit{};
     sched_param priority{};
-    priority.sched_priority = 1;
+    priority.sched_priority = hardware::kReaderPriority;
     int policy = 0;
     sched_param before{};
     (void)pthread_getschedparam(pthread_self(), &policy, &before);

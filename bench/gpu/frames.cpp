@@ -5,23 +5,12 @@
 #include "bench/gpu/suites.h"
 #include "bench/statistics.h"
 #include "renderer/pipelines/cuda/cuda_renderer.h"
-#include "renderer/trace/build/binned_sah.h"
 
 namespace foverig::gpu {
 namespace {
 
 constexpr int kWarmUpFrames = 5;  // two without a history or a graph, and the clock's rise
 constexpr int kFramesPerRepetition = 4;
-
-/// One tree for all renderers of a scene: they differ in light and pipeline alone.
-BuildBinary built_once() {
-    auto kept = std::make_shared<std::map<std::size_t, BinaryBvh>>();
-    return [kept](std::span<const Corners> triangles) {
-        const auto [at, added] = kept->try_emplace(triangles.size());
-        if (added) at->second = build_binned_triangles(triangles);
-        return at->second;
-    };
-}
 
 Json flown(const GpuScene& scene, Renderer& renderer, int eyes, const EyeSize& size,
            int repetitions) {
@@ -50,7 +39,7 @@ Json flown(const GpuScene& scene, Renderer& renderer, int eyes, const EyeSize& s
             {"sampled_share",
              static_cast<double>(stats.sampled_pixels) / static_cast<double>(stats.all_pixels)},
             {"rays", stats.rays.total()},
-            {"device_bytes", renderer.backend_bytes()},
+            {"backend_bytes", renderer.backend_bytes()},
             {"pass_ms", passes}};
 }
 
@@ -74,7 +63,6 @@ std::vector<Light> table_1() {
 }  // namespace
 
 Json frames(const GpuScene& scene, const GpuSettings& settings) {
-    const BuildBinary build = built_once();
     Json rows = Json::object();
     for (const Light& light : table_1()) {
         for (const char* pipeline : {"full", "reprojected"}) {
@@ -84,7 +72,7 @@ Json frames(const GpuScene& scene, const GpuSettings& settings) {
             Json row = Json::object();
             for (const bool graphs : {true, false}) {
                 const auto renderer =
-                    cuda::make_cuda_renderer(shared(scene), render, {1, graphs, build});
+                    cuda::make_cuda_renderer(shared(scene), render, {1, graphs, scene.build()});
                 const char* both = graphs ? "both_eyes" : "both_eyes_without_graph";
                 row[both] = flown(scene, *renderer, 2, kDk2Eye, settings.repetitions);
                 if (!graphs) continue;

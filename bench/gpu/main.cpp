@@ -64,70 +64,124 @@ void write(const std::filesystem::path& file, const Json& document) {
     std::filesystem::rename(part, file);
 }
 
-/// Whether CUDA agrees with the host on it.
-bool run_scene(const std::string& name, const Options& options, const Json& identity,
-               int paced_frames) {
-    const GpuScene scene(load_scene(name));
-    Json document = {{"schema", "foverig.gpu/1"},
-                     {"scene", name},
-                     {"triangles", scene.scene().triangles.size()},
+/// A scene's results: written anew after each suite, so that what came out stays.
+class Row {
+  public:
+    Row(const Options& options, const std::string& scene, const Json& identity)
+        : file_(options.out / (std::filesystem::path(scene).filename().string() + ".json")),
+          document_({{"schema", "foverig.gpu/1"}, {"scene", scene}}) {
+        document_.update(identity);
+        fmt::print("{}:", scene);
+    }
+    const Json& add(const char* suite, Json result) {
+        document_[suite] = std::move(result);
+        write(file_, document_);
+        return document_[suite];
+    }
+    template <class... Args>
+    void tell(fmt::format_string<Args...> text, Args&&... args) const {
+        fmt::print(text, std::forward<Args>(args)...);
+        std::fflush(stdout);
+    }
+
+  private:
+    std::filesystem::path file_;
+    Json document_;
+};
+
+/// Whether CUDA agrees with the host on it. What answers rays wrongly, or loses a number, is not
+/// timed; what is only further from the twin's image than allowed is, and says so.
+bool run_scene(Row& row, const GpuScene& scene, const Options& options, int paced_frames) {
+    row.add("size", {{"triangles", scene.scene().triangles.size()},
                      {"references", scene.host().bvh().view().triangles.size},
-                     {"nodes", scene.host().bvh().view().nodes.size}};
-    document.update(identity);
-    document["parity"] = parity(scene, options.settings);
-    bool pass = document["parity"]["pass"];
+                     {"nodes", scene.host().bvh().view().nodes.size}});
+    const Json agreement = row.add("parity", parity(scene, options.settings));
+    bool pass = agreement["pass"];
+    row.tell(" parity {}", pass ? "good" : "FAILED");
     if (scene.host().bvh().plan().moves()) {
-        document["refit"] = refit(scene.scene(), options.settings);
-        pass = pass && document["refit"]["pass"].get<bool>();
+        const bool refitted = row.add("refit", refit(scene.scene(), options.settings))["pass"];
+        row.tell(", refit {}", refitted ? "good" : "FAILED");
+        pass = pass && refitted;
     }
-    fmt::print("{}: parity {}", name, pass ? "good" : "FAILED");
-    if (pass && !options.parity_only) {  // what answers wrongly is not timed
-        document["rates"] = ray_rates(scene, options.settings);
-        document["frames"] = frames(scene, options.settings);
-        const Json& ao = document["frames"]["ao16"]["reprojected"]["both_eyes"];
-        fmt::print(", both eyes with AO 16 in {:.2f} ms", ao["passes_sum_ms"].get<double>());
-        if (paced_frames > 0) document["pacing"] = pacing(scene, paced_frames);
-        for (const char* kind : {"primary", "shadow", "ao16", "diffuse"})
-            if (document["rates"].contains(kind))
-                fmt::print(", {} {:.0f} Mrays/s", kind,
-                           document["rates"][kind]["mrays_s"].get<double>());
+    if (options.parity_only || !agreement["may_be_timed"].get<bool>()) return pass;
+    const Json& rates = row.add("rates", ray_rates(scene, options.settings));
+    for (const char* kind : {"primary", "shadow", "ao16", "diffuse"})
+        if (rates.contains(kind))
+            row.tell(", {} {:.0f} Mrays/s", kind, rates[kind]["mrays_s"].get<double>());
+    const Json& table = row.add("frames", frames(scene, options.settings));
+    row.tell(", both eyes with AO 16 in {:.2f} ms",
+             table["ao16"]["reprojected"]["both_eyes"]["passes_sum_ms"].get<double>());
+    if (paced_frames > 0) {
+        const Json& paced = row.add("pacing", pacing(scene, paced_frames));
+        row.tell(", {} of {} paced frames late", paced["missed_vsyncs"].get<int>(), paced_frames);
     }
-    fmt::print("\n");
-    std::fflush(stdout);
-    write(options.out / (std::filesystem::path(name).filename().string() + ".json"), document);
     return pass;
 }
 
 /// The refit of a mesh of a known size, in a file of its own.
-bool run_refit(const Options& options, const Json& identity) {
-    const Scene scene = moving_mesh();
-    Json document = {{"schema", "foverig.gpu/1"}, {"scene", scene.name}};
-    document.update(identity);
-    const Json row = document["refit"] = refit(scene, options.settings);
-    const bool pass = row["pass"];
-    fmt::print("{}: refit of {} triangles {}", scene.name, scene.triangles.size(),
-               pass ? "good" : "FAILED");
-    if (pass) fmt::print(", {:.3f} ms", row["refit"]["median_ms"].get<double>());
-    fmt::print("\n");
-    write(options.out / (scene.name + ".json"), document);
+bool run_refit(Row& row, const Options& options) {
+    const Json& result = row.add("refit", refit(moving_mesh(), options.settings));
+    const bool pass = result["pass"];
+    row.tell(" refit {}", pass ? "good" : "FAILED");
+    if (pass) row.tell(", {:.3f} ms", result["refit"]["median_ms"].get<double>());
     return pass;
 }
 
-GpuExit run(Options options) {
+/// One scene after the other: one that fails says why, in its file too, and the next begins.
+class Runs {
+  public:
+    explicit Runs(const Options& options)
+        : options_(options), identity_(identity(cuda::device_info())) {}
+
+    template <class Body>
+    void run(const std::string& scene, const Body& body) {
+        Row row(options_, scene, identity_);
+        try {
+            if (!body(row)) worsen(GpuExit::parity_failed);
+        } catch (const cuda::CudaError& error) {
+            failed(row, error, GpuExit::device);
+        } catch (const SceneError& error) {
+            failed(row, error, GpuExit::input);
+        } catch (const std::exception& error) {
+            failed(row, error, GpuExit::internal);
+        }
+        row.tell("\n");
+    }
+    GpuExit worst() const { return worst_; }
+
+  private:
+    void failed(Row& row, const std::exception& error, GpuExit code) {
+        row.add("error", error.what());
+        row.tell(" {}", error.what());
+        worsen(code);
+    }
+    void worsen(GpuExit code) {
+        if (worst_ == GpuExit::good || worst_ == GpuExit::parity_failed) worst_ = code;
+    }
+
+    const Options& options_;
+    Json identity_;
+    GpuExit worst_ = GpuExit::good;
+};
+
+GpuExit run(const Options& options) {
     const cuda::DeviceInfo device = cuda::device_info();
     fmt::print("{}, sm_{}{}, {} multiprocessors, driver for CUDA {}\n", device.name, device.major,
                device.minor, device.multiprocessors, device.driver);
-    const Json who = identity(device);
     std::vector<std::string> names = options.builtin;
     if (names.empty())
         for (const BuiltinInfo& info : builtin_scenes()) names.push_back(info.name);
     names.insert(names.end(), options.scenes.begin(), options.scenes.end());
-    bool pass = run_refit(options, who);
+    Runs runs(options);
+    runs.run("moving-mesh", [&](Row& row) { return run_refit(row, options); });
     int paced_frames = options.settings.paced_frames;
     for (const std::string& name : names)
-        pass = run_scene(name, options, who, std::exchange(paced_frames, 0)) && pass;
+        runs.run(name, [&](Row& row) {
+            return run_scene(row, GpuScene(load_scene(name)), options,
+                             std::exchange(paced_frames, 0));
+        });
     fmt::print("results in {}\n", options.out.string());
-    return pass ? GpuExit::good : GpuExit::parity_failed;
+    return runs.worst();
 }
 
 GpuExit fail(const std::exception& error, GpuExit code) {

@@ -26,7 +26,8 @@ Json pacing(const GpuScene& scene, int count) {
     RenderSettings settings;
     settings.lighting.area_lights = false;
     settings.lighting.ao_samples = 16;
-    const auto renderer = cuda::make_cuda_renderer(shared(scene), settings, {1, true, {}});
+    const auto renderer =
+        cuda::make_cuda_renderer(shared(scene), settings, {1, true, scene.build()});
     std::vector<double> ms;
     int missed = 0;
     Clock::time_point vsync = Clock::now() + kFrame;

@@ -24,7 +24,7 @@ struct Tolerances {
 };
 
 /// Hits of five kinds of rays, closest and any, and frame_parity(). Key "pass" says whether all
-/// tolerances hold.
+/// tolerances hold, "may_be_timed" whether at least every hit is right and every frame sound.
 Json parity(const GpuScene& scene, const GpuSettings& settings, const Tolerances& tolerances = {});
 
 /// Mrays/s of primary, shadow, AO and diffuse rays, one batch each, and of the diffuse ones by a
@@ -32,7 +32,8 @@ Json parity(const GpuScene& scene, const GpuSettings& settings, const Tolerances
 Json ray_rates(const GpuScene& scene, const GpuSettings& settings);
 
 /// A short flight of `full` and `reprojected`, both eyes, every kind of light, against the same
-/// passes on the host; and each frame as a graph against single launches, to the bit.
+/// passes on the host; and each frame as a graph against single launches, to the bit. "sound":
+/// these are equal, and no number was lost.
 Json frame_parity(const GpuScene& scene, const Tolerances& tolerances);
 
 /// Point light, area light of 8 samples, AO 16: `full` and `reprojected`, one eye and both at the

@@ -44,6 +44,12 @@ class Dk2Decoder {
     /// report 11 before it to take its time from.
     Result<DecodedReport> decode(Bytes packet);
 
+    /// The device was gone: the next report begins anew, as after a restart.
+    void expect_restart() {
+        stamps_.expect_restart();
+        counting_ = false;
+    }
+
     /// Reports refused because their stamp ran backwards or stood.
     std::uint64_t backwards() const { return backwards_; }
     std::uint64_t duplicates() const { return duplicates_; }

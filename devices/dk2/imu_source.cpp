@@ -101,6 +101,7 @@ Next<ImuSample> Dk2ImuSource::next(HostTime deadline) {
             if (until >= deadline) return Timeout{};
         } else if (auto* fault = std::get_if<Fault>(&got)) {
             was_gone_ = true;
+            decoder_.expect_restart();
             // Nobody is there to be kept awake; asking for the past would never find it again.
             next_keep_alive_ = std::max(next_keep_alive_, deadline);
             return std::move(*fault);

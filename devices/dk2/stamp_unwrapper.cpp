@@ -9,6 +9,12 @@ StampUnwrapper::Verdict StampUnwrapper::advance(std::uint32_t stamp_us) {
         return Verdict::accepted;
     }
     const std::uint32_t ahead_us = stamp_us - static_cast<std::uint32_t>(now_us_);
+    if (restart_expected_) {
+        restart_expected_ = false;
+        backwards_in_order_ = 0;
+        now_us_ += ahead_us > 0 ? std::int64_t{ahead_us} : std::int64_t{1} << 32;
+        return Verdict::restarted;
+    }
     if (ahead_us == 0) return Verdict::duplicate;
     if (ahead_us < 1u << 31) {
         now_us_ += ahead_us;

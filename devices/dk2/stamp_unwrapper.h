@@ -12,11 +12,13 @@ class StampUnwrapper {
         accepted,   ///< later than the one before, across the wrap at 71 min too
         duplicate,  ///< the same stamp again
         backwards,  ///< more than 2^31 us "ahead": an old report; time stands
-        restarted   ///< many backwards stamps in order: the device began anew; time goes on from
-                    ///< there
+        restarted   ///< the first after expect_restart, or many backwards stamps in order: the
+                    ///< device began anew; time goes on from there
     };
 
     Verdict advance(std::uint32_t stamp_us);
+    /// The device was gone: whatever stamp comes next is of a clock that may have begun anew.
+    void expect_restart() { restart_expected_ = started_; }
 
     /// Of the newest accepted stamp.
     Dk2Time now() const { return Dk2Time(Nanoseconds(now_us_ * 1000)); }
@@ -27,6 +29,7 @@ class StampUnwrapper {
     static constexpr int kRestartAfter = 16;
 
     bool started_ = false;
+    bool restart_expected_ = false;
     std::int64_t now_us_ = 0;  // its low 32 bits are the stamp
     std::uint32_t last_backwards_us_ = 0;
     int backwards_in_order_ = 0;

@@ -5,9 +5,6 @@
 namespace foverig::hardware {
 namespace {
 
-constexpr int kReaderPriority =
-    10;  // of 1..99: above what is not real time, below the kernel's own
-
 /// Not allowed is not an error: `foverig doctor` says what to do about it.
 void ask_for_realtime() {
     sched_param priority{};

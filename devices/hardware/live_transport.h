@@ -9,6 +9,9 @@
 
 namespace foverig::hardware {
 
+/// SCHED_FIFO of the readers, of 1..99: above what is not real time, below the kernel's own.
+inline constexpr int kReaderPriority = 10;
+
 class LiveTransport final : public Transport {
   public:
     using Open = std::function<Result<std::unique_ptr<Link>>()>;

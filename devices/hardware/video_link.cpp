@@ -145,6 +145,12 @@ Status VideoLink::map_buffers() {
     for (std::uint32_t i = 0; i < request.count; ++i) {
         v4l2_buffer buffer = mapped_buffer(i);
         if (calls_->ioctl(file_, VIDIOC_QUERYBUF, &buffer) < 0) return failed("describe a buffer");
+        const std::size_t whole = std::size_t{stride_bytes_} * height_px_;
+        if (buffer.length < whole)
+            return Error{ErrorCode::io, fmt::format("{} gives buffers of {} bytes; expected {}, a "
+                                                    "whole frame; unplug the camera and plug it in "
+                                                    "again",
+                                                    path_, buffer.length, whole)};
         void* memory = calls_->map(buffer.length, file_, buffer.m.offset);
         if (memory == MAP_FAILED) return failed("map a buffer");
         buffers_.push_back({memory, buffer.length});
@@ -184,19 +190,17 @@ Status VideoLink::read(PacketQueue& packets) {
     const Buffer& mapped = buffers_[buffer.index];
     const std::size_t used = std::min<std::size_t>(buffer.bytesused, mapped.size);
     const std::size_t whole = std::size_t{stride_bytes_} * height_px_;
-    if (whole <= mapped.size) {
-        // A short frame keeps its size: old bytes behind it are marked by `damaged`.
-        const camera::FrameHeader header{
-            .format = format_,
-            .width_px = width_px_,
-            .height_px = height_px_,
-            .stride_bytes = stride_bytes_,
-            .sequence = buffer.sequence,
-            .age_us = age_us(buffer, calls_->monotonic_ns()),
-            .damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || used < whole};
-        const auto* bytes = static_cast<const std::byte*>(mapped.memory);
-        packets.push(camera::encode_frame(header, Bytes(bytes, whole)));
-    }
+    // A short frame keeps its size: old bytes behind it are marked by `damaged`.
+    const camera::FrameHeader header{
+        .format = format_,
+        .width_px = width_px_,
+        .height_px = height_px_,
+        .stride_bytes = stride_bytes_,
+        .sequence = buffer.sequence,
+        .age_us = age_us(buffer, calls_->monotonic_ns()),
+        .damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || used < whole};
+    const auto* bytes = static_cast<const std::byte*>(mapped.memory);
+    packets.push(camera::encode_frame(header, Bytes(bytes, whole)));
     return give_back(buffer.index);
 }
 

@@ -3,6 +3,10 @@
 namespace foverig::window {
 
 EyeTexture::EyeTexture() {
+    set_up();
+}
+
+void EyeTexture::set_up() {
     glBindTexture(GL_TEXTURE_2D, texture_.name());
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
@@ -15,6 +19,9 @@ void EyeTexture::fill(const EyePicture& picture) {
     if (picture.width_px != width_px_ || picture.height_px != height_px_) {
         width_px_ = picture.width_px;
         height_px_ = picture.height_px;
+        texture_ =
+            GlTexture();  // whoever registered the old one must not meet its name at another size
+        set_up();
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width_px_, height_px_, 0, GL_RGBA, GL_HALF_FLOAT,
                      nullptr);
     }

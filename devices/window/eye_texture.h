@@ -17,6 +17,8 @@ class EyeTexture {
     GLuint name() const { return texture_.name(); }
 
   private:
+    void set_up();
+
     GlTexture texture_;
     int width_px_ = 0, height_px_ = 0;
 };

@@ -1,6 +1,8 @@
 #include "renderer/scene/unpack.h"
 
+#if !defined(FOVERIG_STB_ALONE)
 #include <zstd.h>
+#endif
 
 #include <memory>
 
@@ -11,6 +13,15 @@ namespace foverig::scene_import {
 bool is_zstd(std::string_view bytes) {
     return bytes.starts_with("\x28\xB5\x2F\xFD");
 }
+
+#if defined(FOVERIG_STB_ALONE)
+
+std::string unpack_zstd(std::string_view /*packed*/, const std::filesystem::path& file,
+                        std::uint64_t /*max_bytes*/) {
+    fail(file, "is packed with zstd, which this build does without; unpack it first: zstd -d");
+}
+
+#else
 
 std::string unpack_zstd(std::string_view packed, const std::filesystem::path& file,
                         std::uint64_t max_bytes) {
@@ -42,5 +53,7 @@ std::string unpack_zstd(std::string_view packed, const std::filesystem::path& fi
     }
     return bytes;
 }
+
+#endif
 
 }  // namespace foverig::scene_import

@@ -10,23 +10,34 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace foverig {
+
+int fuzz_streams(const std::uint8_t* data, std::size_t size);
+
 namespace {
 
 namespace fs = std::filesystem;
 
-TEST(RecordingCorpus, EveryInputGivesAnErrorOrAFileThatReadsBack) {
+/// Returns how many there are.
+template <class Target>
+int run_corpus(const char* folder, const Target& target) {
     int inputs = 0;
     for (const auto& file :
-         fs::directory_iterator(fs::path(FOVERIG_SOURCE_DIR) / "tests/fuzz/corpus/recording")) {
+         fs::directory_iterator(fs::path(FOVERIG_SOURCE_DIR) / "tests/fuzz/corpus" / folder)) {
         std::ifstream stream(file.path(), std::ios::binary);
         const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-        EXPECT_EQ(LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()),
-                                         bytes.size()),
-                  0)
+        EXPECT_EQ(target(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), 0)
             << file;
         ++inputs;
     }
-    EXPECT_GT(inputs, 20);
+    return inputs;
+}
+
+TEST(RecordingCorpus, EveryInputGivesAnErrorOrAFileThatReadsBack) {
+    EXPECT_GT(run_corpus("recording", LLVMFuzzerTestOneInput), 20);
+}
+
+TEST(StreamsCorpus, EveryMangledStreamGivesNumbersOrIsRefused) {
+    EXPECT_GT(run_corpus("streams", fuzz_streams), 10);
 }
 
 }  // namespace

@@ -91,13 +91,13 @@ int CudaBackend::next_counter() {
 }
 
 PassTable CudaBackend::take_passes() {
-    const std::vector<QueueCounter> counted = counters_.download(stream_.get());
+    const auto used = static_cast<std::size_t>(counters_used_);
+    const auto counted = download(View<const QueueCounter>{counters_.data(), used});
     PassTable table;
     for (const PassClock::Pass& pass : clock_.take())
         table.add(pass.name, pass.ns,
                   pass.counter < 0 ? 0 : counted[static_cast<std::size_t>(pass.counter)].traced);
-    check(cudaMemsetAsync(counters_.data(), 0, counters_.size() * sizeof(QueueCounter),
-                          stream_.get()),
+    check(cudaMemsetAsync(counters_.data(), 0, used * sizeof(QueueCounter), stream_.get()),
           "cudaMemsetAsync of the counters");
     counters_used_ = 0;
     return table;

@@ -83,7 +83,7 @@ class CudaBackend {
         try {
             all_passes(passes);
         } catch (...) {
-            clock_.set_captured(false);
+            clock_.abandon();
             FrameGraph::abandon(stream_.get());
             throw;
         }

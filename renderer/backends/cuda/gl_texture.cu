@@ -8,7 +8,8 @@
 namespace foverig::cuda {
 
 struct GlTexture::Registered {
-    explicit Registered(unsigned int texture) : name(texture) {
+    Registered(unsigned int texture, int width, int height)
+        : name(texture), width_px(width), height_px(height) {
         if (cudaGraphicsGLRegisterImage(&resource, texture, GL_TEXTURE_2D,
                                         cudaGraphicsRegisterFlagsWriteDiscard) != cudaSuccess) {
             resource = nullptr;
@@ -21,22 +22,24 @@ struct GlTexture::Registered {
         if (resource != nullptr) cudaGraphicsUnregisterResource(resource);
     }
 
+    bool is(unsigned int texture, int width, int height) const {
+        return name == texture && width_px == width && height_px == height;
+    }
+
     unsigned int name;
+    int width_px;
+    int height_px;
     cudaGraphicsResource_t resource = nullptr;
 };
 
 bool GlTexture::copy(View<const Half4> image, int width_px, int height_px, unsigned int texture,
                      CUstream_st* stream) {
-    if (texture == refused_) return false;
-    if (registered_ == nullptr || registered_->name != texture) {
+    if (registered_ == nullptr || !registered_->is(texture, width_px, height_px)) {
         registered_.reset();
-        registered_ = std::make_unique<Registered>(texture);
+        registered_ = std::make_unique<Registered>(texture, width_px, height_px);
     }
     cudaGraphicsResource_t resource = registered_->resource;
-    if (resource == nullptr) {
-        refused_ = texture;
-        return false;
-    }
+    if (resource == nullptr) return false;
     check(cudaGraphicsMapResources(1, &resource, stream), "cudaGraphicsMapResources");
     cudaArray_t array = nullptr;
     check(cudaGraphicsSubResourceGetMappedArray(&array, resource, 0, 0),
@@ -57,8 +60,7 @@ namespace foverig::cuda {
 struct GlTexture::Registered {};
 
 bool GlTexture::copy(View<const Half4> /*image*/, int /*width_px*/, int /*height_px*/,
-                     unsigned int texture, CUstream_st* /*stream*/) {
-    refused_ = texture;
+                     unsigned int /*texture*/, CUstream_st* /*stream*/) {
     return false;
 }
 

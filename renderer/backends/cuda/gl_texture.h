@@ -26,7 +26,6 @@ class GlTexture {
   private:
     struct Registered;
     std::unique_ptr<Registered> registered_;
-    unsigned int refused_ = 0;  ///< that could not be registered
 };
 
 }  // namespace foverig::cuda

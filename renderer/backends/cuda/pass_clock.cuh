@@ -30,6 +30,12 @@ class PassClock {
               names_.back().name);
         ++used_;
     }
+    /// Forgets passes that were begun in a frame that failed.
+    void abandon() {
+        names_.clear();
+        used_ = 0;
+        flags_ = cudaEventRecordDefault;
+    }
     /// Passes since the last call, in order. The stream must have been waited for.
     std::vector<Pass> take() {
         for (std::size_t i = 0; i < names_.size(); ++i) {

@@ -188,6 +188,31 @@ TEST(Dk2ImuSource, PassesFaultAndEndOn) {
     EXPECT_TRUE(std::holds_alternative<EndOfStream>(source.next(at_ms(1))));
 }
 
+TEST(Dk2ImuSource, AHeadsetThatWasGoneBeginsAnewWhateverItsClockSays) {
+    // A clock that began anew looks like one that ran on where it was above 2^31 us; one that ran
+    // on, and one that stopped at the same stamp, are links that were opened again.
+    for (const std::uint32_t later_us : {2'000'000U, 3'000'500'000U, 3'000'000'000U}) {
+        FakeTransport t;
+        Dk2ImuSource source = open(t);
+        t.push(at_ms(1), report(7, 3'000'000'000U).encode());
+        EXPECT_TRUE(std::holds_alternative<ImuSample>(source.next(at_ms(2))));
+        t.fault_at_end = Error{ErrorCode::closed, "unplugged"};
+        EXPECT_TRUE(std::holds_alternative<Fault>(source.next(at_ms(3))));
+        t.fault_at_end.reset();
+        for (std::uint32_t i = 0; i < 20; ++i) {
+            t.push(at_ms(900 + i),
+                   report(static_cast<std::uint16_t>(40'000 + i), later_us + 1000 * i).encode());
+            const auto next = source.next(at_ms(1000));
+            const auto* const sample = std::get_if<ImuSample>(&next);
+            ASSERT_NE(sample, nullptr) << later_us << ", report " << i;
+            EXPECT_EQ(sample->gap, i == 0);
+        }
+        EXPECT_EQ(source.counts().reconnects, 1U) << later_us;
+        EXPECT_EQ(source.counts().lost, 0U) << later_us;
+        EXPECT_EQ(source.counts().rejected, 0U) << later_us;
+    }
+}
+
 TEST(Dk2ImuSource, ARefusedKeepAliveIsCountedNotFatal) {
     FakeTransport t;
     Dk2ImuSource source = open(t);
