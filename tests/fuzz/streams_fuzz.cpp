@@ -18,7 +18,7 @@
 namespace foverig {
 namespace {
 
-constexpr int kMostPackets = 400;
+constexpr int kMostPackets = 60;
 
 class Script {
   public:
@@ -119,7 +119,7 @@ bool finite(const dvec3& v) {
 /// All that a source gives until its stream ends, or `clock` has gone on for a while.
 template <class Source, class OnSample>
 void drain(Source& source, ManualClock& clock, const OnSample& on_sample) {
-    const HostTime end = clock.now() + Nanoseconds(std::int64_t{4'000'000'000});
+    const HostTime end = clock.now() + Nanoseconds(std::int64_t{1'000'000'000});
     while (clock.now() < end) {
         const auto next = source.next(clock.now() + Nanoseconds(20'000'000));
         if (std::holds_alternative<EndOfStream>(next)) return;
