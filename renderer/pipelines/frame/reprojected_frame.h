@@ -7,11 +7,11 @@
 #include "renderer/foveation/foveal_function.h"
 #include "renderer/image.h"
 #include "renderer/kernels/cache_update.h"
-#include "renderer/kernels/frame_raster.h"
 #include "renderer/kernels/post_process.h"
 #include "renderer/kernels/select_pixels.h"
 #include "renderer/pipelines/frame/eye_images.h"
 #include "renderer/pipelines/frame/footprint_taps.h"
+#include "renderer/pipelines/frame/frame_mesh.h"
 #include "renderer/pipelines/frame/frame_shading.h"
 
 namespace foverig {
@@ -144,16 +144,9 @@ class ReprojectedFrame {
 
     void allocate() {
         const std::size_t eyes = eyes_.size();
-        const TileGrid& grid = eyes_[0]->grid;
-        const TileGrid& coarse = eyes_[0]->coarse_grid;
-        const auto tiles = static_cast<std::size_t>(std::max(grid.count(), coarse.count()));
-        const auto cells = static_cast<std::size_t>(coarse.width_px * coarse.height_px);
         const std::size_t capacity = eyes * static_cast<std::size_t>(flags_in_eye());
         MemoryCount& memory = memory_.of(Effect::reprojection);
-        raster_floats_ = tiles * kRasterTileFloats + kLanes;
-        keys_ = {memory, eyes * tiles * kTilePixels};
-        raster_ = {memory, eyes * 4 * raster_floats_};
-        large_ = {memory, eyes * (cells + 1)};
+        mesh_.allocate(memory, eye_count(), eyes_[0]->grid, eyes_[0]->coarse_grid);
         flags_ = {memory, capacity};
         sample_pixels_ = {memory, capacity};
         sample_flags_ = {memory, capacity};
@@ -163,16 +156,6 @@ class ReprojectedFrame {
         shading_.reserve(capacity);
     }
 
-    FrameRaster raster_to(std::size_t eye, const TileGrid& grid) {
-        const std::size_t keys = keys_.size() / eyes_.size();
-        const std::size_t large = large_.size() / eyes_.size();
-        int* const list = large_.data() + eye * large;
-        return {keys_.data() + eye * keys, list + 1, list, grid};
-    }
-    RasterTile raster_tiles(std::size_t eye) {
-        float* const p = raster_.data() + eye * 4 * raster_floats_;
-        return {p, p + raster_floats_, p + 2 * raster_floats_, p + 3 * raster_floats_};
-    }
     Samples samples() {
         Samples s{sample_pixels_.data(),
                   sample_flags_.data(),
@@ -197,32 +180,16 @@ class ReprojectedFrame {
         if (history)
             reproject();
         else
-            draw_nothing();
+            mesh_.draw_nothing(backend_, "reproject_raster", eyes_[0]->grid,
+                               rasters([](const Eye& eye) { return eye.image_raster(); }));
         combine(queue, frame);
         if (on(Effect::post_process) && history) post_process(queue, frame_seed);
     }
 
-    /// raster(eye) -> RasterFrame.
+    /// raster(eye) of each.
     template <class Raster>
-    void draw_mesh(const char* name, const TileGrid& grid, const Raster& raster) {
-        clear(name, grid);
-        launch_each(name, RasterCells::count(eyes_[0]->mesh()), [&](Eye& eye, std::size_t i) {
-            return RasterCells{raster(eye), raster_to(i, grid)};
-        });
-        launch_each(name, RasterLargeCells::count(grid), [&](Eye& eye, std::size_t i) {
-            return RasterLargeCells{raster(eye), raster_to(i, grid)};
-        });
-        resolve(name, grid, raster);
-    }
-    void clear(const char* name, const TileGrid& grid) {
-        launch_each(name, ResolveRaster::count(grid),
-                    [&](Eye&, std::size_t i) { return ClearRaster{raster_to(i, grid)}; });
-    }
-    template <class Raster>
-    void resolve(const char* name, const TileGrid& grid, const Raster& raster) {
-        launch_each(name, ResolveRaster::count(grid), [&](Eye& eye, std::size_t i) {
-            return ResolveRaster{raster(eye), raster_to(i, grid).keys, raster_tiles(i), grid};
-        });
+    typename FrameMesh<Backend>::Frames rasters(const Raster& raster) const {
+        return {raster(*eyes_.front()), raster(*eyes_.back())};
     }
 
     void find_resampling() {
@@ -233,9 +200,10 @@ class ReprojectedFrame {
                     [](Eye& eye) { return eye.reproject_vertices(); });
         launch_rows("measure_facing", rows - 1, columns - 1,
                     [](Eye& eye) { return eye.measure_facing(); });
-        draw_mesh("reproject_coarse", coarse, [](Eye& eye) { return eye.coarse_raster(); });
+        mesh_.draw(backend_, "reproject_coarse", coarse,
+                   rasters([](const Eye& eye) { return eye.coarse_raster(); }));
         launch_tiles("reproject_coarse", coarse,
-                     [&](Eye& eye, std::size_t i) { return eye.resolve_coarse(raster_tiles(i)); });
+                     [&](Eye& eye, std::size_t i) { return eye.resolve_coarse(mesh_.tiles(i)); });
         launch_rows("mark_resampling", rows, columns,
                     [&](Eye& eye) { return eye.mark_resampling(settings_.reprojection); });
     }
@@ -301,12 +269,13 @@ class ReprojectedFrame {
 
     void reproject() {
         const TileGrid& grid = eyes_[0]->grid;
-        draw_mesh("reproject_raster", grid, [](Eye& eye) { return eye.image_raster(); });
+        mesh_.draw(backend_, "reproject_raster", grid,
+                   rasters([](const Eye& eye) { return eye.image_raster(); }));
         const auto run = [&]<int kTaps, bool kLight>() {
             launch_tiles("reproject", grid, [&](Eye& eye, std::size_t i) {
                 return ReprojectPixels<kTaps, kLight>{
-                    raster_tiles(i), {taps_.data()}, eye.last(), eye.current(), 0, 0, 0,
-                    grid.width_px,   grid.height_px};
+                    mesh_.tiles(i), {taps_.data()}, eye.last(), eye.current(), 0, 0, 0,
+                    grid.width_px,  grid.height_px};
             });
         };
         const auto run_lit = [&]<bool kLight>() {
@@ -325,26 +294,14 @@ class ReprojectedFrame {
         run_lit.template operator()<false>();
     }
 
-    /// Without a history nothing covers any pixel.
-    void draw_nothing() {
-        const TileGrid& grid = eyes_[0]->grid;
-        clear("reproject_raster", grid);
-        resolve("reproject_raster", grid, [](Eye& eye) { return eye.image_raster(); });
-    }
-
     void combine(QueueSize queue, std::uint32_t frame) {
         const TileGrid& grid = eyes_[0]->grid;
         const ReprojectionSettings& s = settings_.reprojection;
         const auto merge = [&]<bool kLight>() {
             launch_tiles("merge", grid, [&](Eye& eye, std::size_t i) {
-                return MergeSupport<kLight>{raster_tiles(i),
-                                            eye.support_lookup(),
-                                            eye.current(),
-                                            0,
-                                            0,
-                                            0,
-                                            grid.width_px,
-                                            frame};
+                return MergeSupport<kLight>{
+                    mesh_.tiles(i), eye.support_lookup(), eye.current(), 0, 0, 0, grid.width_px,
+                    frame};
             });
         };
         if (on(Effect::light_buffer))
@@ -356,7 +313,7 @@ class ReprojectedFrame {
             backend_.launch(
                 "cache_update", queue, eye_of_sample([&](Eye& eye, std::size_t i) {
                     return InTileOfSample<Kernel>{
-                        {raster_tiles(i), samples(), eye.current(),
+                        {mesh_.tiles(i), samples(), eye.current(),
                          SmallestWeight(s.k_min, s.k_max, s.t_max),
                          SmallestWeight(s.k_min_light, s.k_max, s.t_max), shading_.scene().ambient,
                          static_cast<float>(s.epsilon_cache), frame, 0, 0, grid.width_px},
@@ -403,11 +360,8 @@ class ReprojectedFrame {
     std::vector<float> host_taps_;
     Array<float> taps_;
     std::vector<std::unique_ptr<Eye>> eyes_;
-    bool settled_ = false;           ///< the last frame ran every pass that this one does
-    std::size_t raster_floats_ = 0;  ///< of one plane of an eye
-    Array<RasterKey> keys_;
-    Array<float> raster_;  ///< four planes an eye
-    Array<int> large_;     ///< of an eye: a count, then cells
+    bool settled_ = false;  ///< the last frame ran every pass that this one does
+    FrameMesh<Backend> mesh_;
     Array<std::uint8_t> flags_;
     Array<PackedPixel> sample_pixels_;
     Array<std::uint8_t> sample_flags_;
