@@ -17,12 +17,19 @@ int attribute(cudaDeviceAttr which, int device) {
     return value;
 }
 
+/// Without a driver the runtime calls the driver too old, which sends people the wrong way.
+std::string why_none(cudaError_t error) {
+    int driver = 0;
+    if (cudaDriverGetVersion(&driver) == cudaSuccess && driver == 0)
+        return "no NVIDIA driver is loaded";
+    return error != cudaSuccess ? cudaGetErrorString(error) : "no device is there";
+}
+
 void require(int device) {
     int count = 0;
     const cudaError_t error = cudaGetDeviceCount(&count);
     if (error != cudaSuccess || count == 0)
-        throw NoGpuError(std::string("no GPU that CUDA can use: ") +
-                         (error != cudaSuccess ? cudaGetErrorString(error) : "no device is there") +
+        throw NoGpuError("no GPU that CUDA can use: " + why_none(error) +
                          "; run this where nvidia-smi lists a GPU");
     if (device >= count)
         throw NoGpuError("GPU " + std::to_string(device) + " is not there: this machine has " +
