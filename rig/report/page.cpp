@@ -8,9 +8,11 @@
 #include "rig/report/gallery.h"
 #include "rig/report/governor_chart.h"
 #include "rig/report/latency_chain.h"
+#include "rig/report/live_strip.h"
 #include "rig/report/markup.h"
 #include "rig/report/overview.h"
 #include "rig/report/pass_bars.h"
+#include "rig/report/scripts.h"
 #include "rig/report/style.h"
 #include "rig/report/worst_frames.h"
 
@@ -18,6 +20,10 @@ namespace foverig::report {
 namespace {
 
 constexpr std::size_t kMostGalleryBytes = 5'000'000;  // of a page that stays below 6 MB
+
+/// The browser itself refuses whatever does not lie in the page.
+constexpr const char* kNothingFetched =
+    "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 std::string column_listing() {
     std::vector<std::vector<std::string>> rows;
@@ -45,15 +51,16 @@ std::string repeating(const RunData& run) {
 
 std::string page(const RunData& run) {
     std::string html = fmt::format(
-        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta "
+        "http-equiv=\"Content-Security-Policy\" content=\"{}\"><meta name=\"viewport\" "
         "content=\"width=device-width, initial-scale=1\"><title>foverig · {}</title>"
         "<style>{}</style></head><body><main>\n",
-        escaped(title(run)), kStyle);
+        kNothingFetched, escaped(title(run)), kStyle);
     html += overview(run);
     html += section("Frame times",
                     "Work of each frame, from its begin to its hand-over to the "
                     "display, without waiting.",
-                    frame_strip(run));
+                    "<div>" + frame_strip(run) + live_strip(run) + "</div>");
     if (const std::string chart = governor_chart(run); !chart.empty())
         html += section("What the governor chose",
                         "Setting by setting, the cheapest is 0. Costs and errors are those of the "
@@ -76,7 +83,9 @@ std::string page(const RunData& run) {
                     "The effect plan: only what this scene and these "
                     "settings call for.",
                     plan_table(run));
-    html += section("Images", "Of the frames kept during the run. Traced pixels are white.",
+    html += section("Images",
+                    "Of the frames kept during the run. Traced pixels are white. The pointer is a "
+                    "lens onto the same place in all pictures of an eye.",
                     gallery(run, kMostGalleryBytes));
     html += section("Devices", "", device_table(run));
     html += section("Rays, memory, numerics", "", resource_table(run));
@@ -84,7 +93,7 @@ std::string page(const RunData& run) {
                     "summary.json, frames.csv, plan.json and scenario.toml lie beside this "
                     "page; `foverig report` makes it again from them.",
                     repeating(run) + scenario_listing(run) + column_listing());
-    return html + "</main></body></html>\n";
+    return html + fmt::format("</main><script>\n{}</script></body></html>\n", kMagnifierScript);
 }
 
 }  // namespace foverig::report

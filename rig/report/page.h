@@ -5,7 +5,7 @@
 
 namespace foverig::report {
 
-/// report.html: one file, no request to anywhere, no script, light and dark.
+/// report.html: one file, no request to anywhere, whole without scripts too, light and dark.
 std::string page(const RunData& run);
 
 }  // namespace foverig::report

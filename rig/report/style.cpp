@@ -68,10 +68,17 @@ figure.magnified img { image-rendering: pixelated; }
 .stack { position: relative; } .stack .over { position: absolute; inset: 0; opacity: 0; }
 .flicker:checked ~ .gallery .over { animation: in-turns 1s steps(1) infinite; }
 @keyframes in-turns { 50% { opacity: 1; } }
+.lens { display: none; position: absolute; overflow: hidden; pointer-events: none; z-index: 1;
+  border: 2px solid var(--paper); border-radius: 50%; box-shadow: 0 1px 6px #0008; }
+.lens img, .lens .over { position: absolute; max-width: none; border-radius: 0; inset: auto;
+  image-rendering: pixelated; }
 figcaption { font-size: 12.5px; color: var(--soft); margin-top: 4px; }
 figcaption code { font-size: 11.5px; overflow-wrap: anywhere; }
 details summary { cursor: pointer; font-weight: 600; }
-@media print { section { break-inside: avoid; } }
+.live { display: none; } .enlivened .live { display: block; }
+.uplot .u-axis .u-label { color: var(--soft); } .u-legend { font-size: 13px; }
+@media screen { .enlivened > .scroll { display: none; } }
+@media print { section { break-inside: avoid; } #frame-strip, .enlivened .live { display: none; } }
 )css";
 
 }  // namespace foverig::report

@@ -1,0 +1,35 @@
+# Script (cmake -P): writes OUTPUT, a source with the scripts of WEB and with the uPlot that its lock file names, fetched
+# into FOLDER by NPM. Without that package its strings are empty.
+file(MAKE_DIRECTORY ${FOLDER})
+file(COPY ${WEB}/package.json ${WEB}/package-lock.json DESTINATION ${FOLDER})
+set(package ${FOLDER}/node_modules/uplot)
+set(why "no npm here")
+if(NPM)
+  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --fetch-retries=1 --fetch-timeout=20000
+    WORKING_DIRECTORY ${FOLDER} TIMEOUT 90 RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+  set(why "npm could not fetch it (${status})")
+endif()
+
+# As a raw string: no script of ours or theirs holds its closing mark.
+function(add_string name file)
+  set(content "")
+  if(EXISTS ${file})
+    file(READ ${file} content)
+  endif()
+  set(text "${text}const std::string_view ${name} = R\"script(${content})script\";\n" PARENT_SCOPE)
+endfunction()
+
+set(text "#include \"rig/report/scripts.h\"\n\nnamespace foverig::report {\n\n")
+add_string(kMagnifierScript ${WEB}/magnifier.js)
+if(NPM AND status EQUAL 0 AND EXISTS ${package}/LICENSE)
+  add_string(kStripScript ${WEB}/strip.js)
+  add_string(kUplotScript ${package}/dist/uPlot.iife.min.js)
+  add_string(kUplotStyle ${package}/dist/uPlot.min.css)
+  add_string(kUplotLicence ${package}/LICENSE)
+else()
+  message("report: without the zoomable frame strip, as there is no uPlot: ${why}")
+  foreach(name kStripScript kUplotScript kUplotStyle kUplotLicence)
+    add_string(${name} "")
+  endforeach()
+endif()
+file(WRITE ${OUTPUT} "${text}\n}  // namespace foverig::report\n")
