@@ -83,7 +83,7 @@ FrameInput Session::input_for(FrameRecord& frame, HostTime expected_vsync) {
     const PanelTiming& timing = world_->display().timing();
     frame.pose = devices_.head().newest();
     frame.gaze = devices_.gaze().newest();
-    frame.pose_stale = !frame.pose || expected_vsync - frame.pose->taken > kPoseLimit;
+    frame.pose_stale = !frame.pose || frame.begin - frame.pose->taken > kPoseLimit;
     const auto eyes = eye_count(scenario_);
     const HostTime first = timing.photon(expected_vsync, kEyes.front());
     frame.predicted_photon = mean_of(first, timing.photon(expected_vsync, kEyes[eyes - 1]));

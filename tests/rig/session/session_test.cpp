@@ -223,6 +223,11 @@ TEST(Session, GoesOnWhileAHeadsetIsUnplugged) {
     EXPECT_FALSE(r.frames.back().pose_stale);
 }
 
+TEST(Session, ASlowFrameIsNoLostHeadset) {
+    const RunRecord r = run(scenario_of(150.0, 20));
+    for (const FrameRecord& f : r.frames) EXPECT_FALSE(f.pose_stale) << f.frame;
+}
+
 TEST(Session, SaysWhereItWentOnWithAnOldGaze) {
     Scenario s = scenario_of(10.0, 120);
     s.faults.gaze.unplug_at = 0.7;
