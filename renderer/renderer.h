@@ -37,6 +37,9 @@ class Renderer {
   public:
     virtual ~Renderer() = default;
     virtual FrameStats render(const FrameInput& input) = 0;
+    /// Other settings from the next frame on, with the history that there is. False, and nothing
+    /// changed, where they need a renderer of their own: what is allocated would be another.
+    virtual bool tune(const RenderSettings& /*settings*/) { return false; }
 
     virtual const EffectPlan& plan() const = 0;
     virtual std::string backend_name() const = 0;

@@ -135,6 +135,15 @@ EffectPlan::EffectPlan(const Scene& scene, const RenderSettings& settings) {
         {"post_process"});
 }
 
+bool EffectPlan::same_effects(const EffectPlan& other) const {
+    return std::ranges::equal(effects_, other.effects_, {}, &PlannedEffect::on, &PlannedEffect::on);
+}
+
+void EffectPlan::take_reasons(const EffectPlan& other) {
+    for (std::size_t i = 0; i < effects_.size(); ++i)
+        effects_[i].because = other.effects_[i].because;
+}
+
 void EffectPlan::record_frame(const std::vector<PassTime>& passes, std::uint64_t frames) {
     for (PlannedEffect& effect : effects_) {
         if (effect.passes.empty()) continue;

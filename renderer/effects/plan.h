@@ -49,6 +49,11 @@ class EffectPlan {
     const std::vector<PlannedEffect>& effects() const { return effects_; }
     PlannedEffect& operator[](Effect effect) { return effects_[static_cast<std::size_t>(effect)]; }
 
+    /// Whether the other plan has the same effects on.
+    bool same_effects(const EffectPlan& other) const;
+    /// The other plan's reasons; what was measured stays.
+    void take_reasons(const EffectPlan& other);
+
     /// Takes the pass times of the `frames`-th frame into each effect's mean cost.
     void record_frame(const std::vector<PassTime>& passes, std::uint64_t frames);
     /// Takes what is allocated now for that effect, all eyes.

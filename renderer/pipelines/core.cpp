@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <tuple>
 
 namespace foverig {
 namespace {
@@ -28,6 +29,20 @@ Tracer tracer_of(const RenderSettings& settings) {
     return settings.backend == kHostBvh ? Tracer::host_bvh : Tracer::embree;
 }
 
+/// Whether the same tracer and the same images serve both.
+bool same_apparatus(const RenderSettings& a, const RenderSettings& b) {
+    const auto parts = [](const RenderSettings& s) {
+        return std::tie(s.pipeline, s.backend, s.threads, s.robust_tracing,
+                        s.reprojection.support_width_px, s.reprojection.support_height_px,
+                        s.reprojection.footprint_samples);
+    };
+    return parts(a) == parts(b);
+}
+
+bool same_samples(const LightingSettings& a, const LightingSettings& b) {
+    return a.area_samples == b.area_samples && a.ao_samples == b.ao_samples;
+}
+
 }  // namespace
 
 PipelineCore::PipelineCore(std::shared_ptr<const Scene> scene, const RenderSettings& settings)
@@ -37,6 +52,16 @@ PipelineCore::PipelineCore(std::shared_ptr<const Scene> scene, const RenderSetti
       backend_(*scene_, embree_settings(plan_, settings), tracer_of(settings)),
       tables_(memory_, plan_, *scene_, settings.lighting) {
     for (int i = 0; i < backend_.threads(); ++i) scratches_.emplace_back(memory_, plan_);
+}
+
+bool PipelineCore::tune(const RenderSettings& settings) {
+    const EffectPlan plan(*scene_, settings);
+    if (!same_apparatus(settings_, settings) || !plan_.same_effects(plan)) return false;
+    if (!same_samples(settings_.lighting, settings.lighting))
+        tables_ = LightTables(memory_, plan_, *scene_, settings.lighting);
+    plan_.take_reasons(plan);
+    settings_ = settings;
+    return true;
 }
 
 void PipelineCore::begin_frame(const FrameInput& input) {

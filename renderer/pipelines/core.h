@@ -16,6 +16,9 @@ class PipelineCore {
   public:
     PipelineCore(std::shared_ptr<const Scene> scene, const RenderSettings& settings);
 
+    /// As Renderer::tune says: light samples, thresholds, foveation and seed may change.
+    bool tune(const RenderSettings& settings);
+
     /// Moves what moves and draws the frame's sample points.
     void begin_frame(const FrameInput& input);
     /// Collects counts and pass times since begin_frame, and hands the effects their share of

@@ -11,6 +11,7 @@ class FullRenderer final : public Renderer {
         : core_(std::move(scene), settings) {}
 
     FrameStats render(const FrameInput& input) override;
+    bool tune(const RenderSettings& settings) override { return core_.tune(settings); }
     const EffectPlan& plan() const override { return core_.plan(); }
     std::string backend_name() const override { return core_.backend_name(); }
     std::uint64_t backend_bytes() const override { return core_.bytes(); }

@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::size_t kRasterFloats = static_cast<std::size_t>(kRasterTile) * kRasterStride;
 
+FovealFunction foveal_of(const FoveationSettings& s) {
+    return {s.r0_deg, s.r1_deg, s.p_min};
+}
+
 TileZone zone_of(const TileRect& tile, const EyeRays& eye, const vec3& gaze,
                  const FovealFunction& foveal) {
     const auto direction = [&](int x, int y) {
@@ -45,11 +49,16 @@ RasterTile ReprojectedRenderer::Scratch::raster() {
 
 ReprojectedRenderer::ReprojectedRenderer(std::shared_ptr<const Scene> scene,
                                          const RenderSettings& settings)
-    : core_(std::move(scene), settings),
-      foveal_(settings.foveation.r0_deg, settings.foveation.r1_deg, settings.foveation.p_min) {
+    : core_(std::move(scene), settings), foveal_(foveal_of(settings.foveation)) {
     require_known_taps(settings.reprojection.footprint_samples);
     taps_ = Buffer<float>(core_.memory().of(Effect::reprojection),
                           tap_floats(settings.reprojection.footprint_samples));
+}
+
+bool ReprojectedRenderer::tune(const RenderSettings& settings) {
+    if (!core_.tune(settings)) return false;
+    foveal_ = foveal_of(settings.foveation);
+    return true;
 }
 
 void ReprojectedRenderer::prepare_eyes(const FrameInput& input) {

@@ -13,6 +13,7 @@ class ReprojectedRenderer final : public Renderer {
     ReprojectedRenderer(std::shared_ptr<const Scene> scene, const RenderSettings& settings);
 
     FrameStats render(const FrameInput& input) override;
+    bool tune(const RenderSettings& settings) override;
     const EffectPlan& plan() const override { return core_.plan(); }
     std::string backend_name() const override { return core_.backend_name(); }
     std::uint64_t backend_bytes() const override { return core_.bytes(); }

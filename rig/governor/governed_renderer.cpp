@@ -1,5 +1,7 @@
 #include "rig/governor/governed_renderer.h"
 
+#include <algorithm>
+
 namespace foverig::governor {
 namespace {
 
@@ -18,14 +20,28 @@ Limits limits_of(const Scenario& scenario) {
 
 GovernedRenderer::GovernedRenderer(Ladder ladder, const Limits& limits, const Open& open)
     : ladder_(std::move(ladder)), limits_(limits), governor_(costs_of(ladder_), limits) {
-    for (const Rung& rung : ladder_.rungs) renderers_.push_back(open(rung.render));
+    for (std::size_t i = 0; i < ladder_.rungs.size(); ++i) hold(i, open);
     shown_ = governor_.setting();
+}
+
+void GovernedRenderer::hold(std::size_t setting, const Open& open) {
+    const RenderSettings& wanted = ladder_.rungs[setting].render;
+    const auto able = std::find_if(held_.begin(), held_.end(),
+                                   [&](Held& held) { return held.renderer->tune(wanted); });
+    held_by_.push_back(static_cast<std::size_t>(able - held_.begin()));
+    if (able == held_.end())
+        held_.push_back({open(wanted), setting});
+    else
+        able->setting = setting;
 }
 
 FrameStats GovernedRenderer::render(const FrameInput& input) {
     shown_ = governor_.setting();
     chosen_.push_back(static_cast<std::uint32_t>(shown_));
-    return renderers_[shown_]->render(input);
+    Held& held = held_[held_by_[shown_]];
+    if (held.setting != shown_) held.renderer->tune(ladder_.rungs[shown_].render);
+    held.setting = shown_;
+    return held.renderer->render(input);
 }
 
 double GovernedRenderer::fixed_ms(double dearest_ms) const {
@@ -34,7 +50,7 @@ double GovernedRenderer::fixed_ms(double dearest_ms) const {
 
 std::uint64_t GovernedRenderer::backend_bytes() const {
     std::uint64_t bytes = 0;
-    for (const auto& renderer : renderers_) bytes += renderer->backend_bytes();
+    for (const Held& held : held_) bytes += held.renderer->backend_bytes();
     return bytes;
 }
 

@@ -10,8 +10,9 @@
 
 namespace foverig::governor {
 
-/// A renderer for each of a ladder's settings, of which a governor chooses one a frame. One that
-/// was not used for a while comes back with the history it had.
+/// A renderer that a governor gives one of a ladder's settings each frame. Settings that it cannot
+/// take while it runs (another support resolution, another effect) have one of their own, which
+/// comes back with the history that it had.
 class GovernedRenderer : public Renderer {
   public:
     using Open = std::function<std::unique_ptr<Renderer>(const RenderSettings&)>;
@@ -30,7 +31,7 @@ class GovernedRenderer : public Renderer {
 
     const EffectPlan& plan() const override { return now().plan(); }
     std::string backend_name() const override { return now().backend_name(); }
-    /// Of all settings: they are all there.
+    /// Of all renderers: they are all there.
     std::uint64_t backend_bytes() const override;
     Image image(int eye) const override { return now().image(eye); }
     View<const Half4> pixels(int eye) const override { return now().pixels(eye); }
@@ -42,13 +43,20 @@ class GovernedRenderer : public Renderer {
     double estimated_error() const override { return now().estimated_error(); }
 
   private:
-    const Renderer& now() const { return *renderers_[shown_]; }
+    struct Held {
+        std::unique_ptr<Renderer> renderer;
+        std::size_t setting = 0;  ///< that it has
+    };
+
+    const Renderer& now() const { return *held_[held_by_[shown_]].renderer; }
+    void hold(std::size_t setting, const Open& open);
 
     Ladder ladder_;
     Limits limits_;
     Governor governor_;
-    std::vector<std::unique_ptr<Renderer>> renderers_;
-    std::size_t shown_ = 0;  ///< whose images there are: the last frame's
+    std::vector<Held> held_;
+    std::vector<std::size_t> held_by_;  ///< of each setting, which of held_
+    std::size_t shown_ = 0;             ///< whose images there are: the last frame's
     std::vector<std::uint32_t> chosen_;
 };
 

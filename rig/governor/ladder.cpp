@@ -118,7 +118,7 @@ std::optional<Ladder> read_ladder(const Scenario& asked) {
             ladder.rungs.push_back(rung_from(scenario, trimmed(rung)));
     if (ladder.rungs.empty() || ladder.rungs.size() > kMostRungs)
         throw UsageError(
-            fmt::format("governor: {} settings; expected 1 to {}, since each has a "
+            fmt::format("governor: {} settings; expected 1 to {}, since each may need a "
                         "renderer of its own",
                         ladder.rungs.size(), kMostRungs));
     std::stable_sort(ladder.rungs.begin(), ladder.rungs.end(),

@@ -15,7 +15,8 @@ struct Rung {
     std::optional<double> error;  ///< where a sweep has measured it
 };
 
-inline constexpr std::size_t kMostRungs = 16;  ///< each has a renderer of its own, hence memory
+/// Some need a renderer of their own, hence memory.
+inline constexpr std::size_t kMostRungs = 16;
 
 struct Ladder {
     std::vector<Rung> rungs;  ///< cheapest first
