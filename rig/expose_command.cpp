@@ -9,6 +9,7 @@
 #include "rig/session/run_clock.h"
 #include "rig/session/session_recording.h"
 #include "rig/session/world.h"
+#include "simulators/camera/staged_camera.h"
 #include "simulators/usb/camera_descriptors.h"
 #include "simulators/usb/camera_function.h"
 #include "simulators/usb/dk2_function.h"
@@ -75,9 +76,10 @@ usb::PlugIn plug_in(const ExposeRequest& request, Transport& model, const Clock&
     };
 }
 
-/// The device's bytes, recorded on their way where that is asked for.
+/// The device's bytes, recorded on their way where that is asked for. A simulated camera sees the
+/// LEDs of its scenario's headset, and is `staged` before that.
 Transport& transport_of(const ExposeRequest& request, World& world, const Clock& clock,
-                        SessionRecording* recording) {
+                        SessionRecording* recording, std::optional<StagedCamera>& staged) {
     if (recording != nullptr) recording->begin(world.initial_yaw_rad());
     if (request.device == "dk2") {
         return recording ? recording->headset(world.headset(), clock) : world.headset();
@@ -89,6 +91,9 @@ Transport& transport_of(const ExposeRequest& request, World& world, const Clock&
     Transport* camera = world.tracker_camera();
     if (camera == nullptr) {
         throw UsageError("expose camera: there is no tracker camera among these devices");
+    }
+    if (replayed_file(request.scenario).empty()) {
+        camera = &staged.emplace(*camera, world.headset(), clock);
     }
     return recording ? recording->tracker_camera(*camera, clock) : *camera;
 }
@@ -114,8 +119,9 @@ ExitCode expose_command(const ExposeRequest& request) {
     RunClock clock(scenario.clock, Cost{});
     const auto world = make_world(scenario, clock.clock());
     std::optional<SessionRecording> recording = recording_of(request, scenario);
+    std::optional<StagedCamera> staged;
     usb::LockedTransport model(
-        transport_of(request, *world, clock.clock(), recording ? &*recording : nullptr));
+        transport_of(request, *world, clock.clock(), recording ? &*recording : nullptr, staged));
     const Interrupt interrupt;
     auto begun =
         usb::ExposedDevice::begin(model, clock.clock(), plug_in(request, model, clock.clock()));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 #include "devices/camera/led_matcher.h"
 
@@ -15,6 +17,13 @@ constexpr float kShotNoise2 = 0.04F;  // levels^2 a level: 25 electrons each
 constexpr std::size_t kNoiseTable = std::size_t{1} << 16;
 constexpr double kReach = 5.0;  // standard deviations that a spot is drawn to
 
+/// What the sensor makes of light (levels) and a draw of its noise.
+std::byte developed(float light, float noise) {
+    const float sigma = std::sqrt(kReadNoise * kReadNoise + kShotNoise2 * light);
+    const float level = kBlack + light + noise * sigma;
+    return static_cast<std::byte>(static_cast<int>(std::min(255.0F, std::max(0.0F, level + 0.5F))));
+}
+
 enum Stream : std::uint64_t { kLampStream = 700, kTableStream, kRowStream };
 
 }  // namespace
@@ -23,9 +32,9 @@ CameraScene::CameraScene(std::vector<dk2::Led> leds, const camera::Lens& lens,
                          const CameraFaults& faults, std::uint64_t seed)
     : leds_(std::move(leds)),
       lens_(lens),
-      noise_(faults.noise),
       draws_(seed, kRowStream),
-      light_(static_cast<std::size_t>(kCameraWidth_px) * kCameraHeight_px) {
+      light_(static_cast<std::size_t>(kCameraWidth_px) * kCameraHeight_px),
+      lit_(kCameraHeight_px) {
     const motion::Draws lamps(seed, kLampStream);
     for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(faults.spots); ++i) {
         lamps_.push_back({.pixel = {lamps.uniform(4 * i, 0, kCameraWidth_px),
@@ -33,14 +42,18 @@ CameraScene::CameraScene(std::vector<dk2::Led> leds, const camera::Lens& lens,
                           .peak = lamps.uniform(4 * i + 2, 60, 600),
                           .sigma_px = lamps.log_normal(4 * i + 3, 2.0, 0.8)});
     }
-    if (noise_ <= 0.0) return;
-    const motion::Draws table(seed, kTableStream);
-    for (std::uint64_t i = 0; i < kNoiseTable + kCameraWidth_px; ++i) {
-        normal_.push_back(static_cast<float>(table.normal(i % kNoiseTable)));
+    if (faults.noise <= 0.0) {
+        noise_.assign(kCameraWidth_px, 0.0F);
+    } else {
+        const motion::Draws table(seed, kTableStream);
+        for (std::uint64_t i = 0; i < kNoiseTable + kCameraWidth_px; ++i)
+            noise_.push_back(static_cast<float>(faults.noise) *
+                             static_cast<float>(table.normal(i % kNoiseTable)));
     }
+    for (const float noise : noise_) dark_.push_back(developed(0.0F, noise));
 }
 
-std::vector<CameraScene::Spot> CameraScene::lit(const Exposure& exposure) const {
+std::vector<CameraScene::Spot> CameraScene::spots(const Exposure& exposure) const {
     std::vector<Spot> spots = lamps_;
     if (exposure.covered || exposure.share <= 0.0) return spots;
     for (const dk2::Led& led : leds_) {
@@ -68,6 +81,8 @@ void CameraScene::add(const Spot& spot) {
     const int bottom = std::min(kCameraHeight_px - 1, static_cast<int>(spot.pixel.y + reach_px));
     const double scale = -0.5 / (spot.sigma_px * spot.sigma_px);
     for (int y = top; y <= bottom; ++y) {
+        Span& lit = lit_[static_cast<std::size_t>(y)];
+        lit = {std::min(lit.begin, left), std::max(lit.end, right + 1)};
         const double dy = y - spot.pixel.y;
         for (int x = left; x <= right; ++x) {
             const double dx = x - spot.pixel.x;
@@ -77,29 +92,23 @@ void CameraScene::add(const Spot& spot) {
     }
 }
 
-void CameraScene::develop(std::uint64_t index, std::span<std::byte> image) const {
-    const auto gain = static_cast<float>(noise_);
+void CameraScene::develop(std::uint64_t index, std::span<std::byte> image) {
+    // Most of the sensor sees nothing: its rows are pieces of one developed beforehand.
+    const std::size_t places = noise_.size() - kCameraWidth_px;
     for (std::size_t y = 0; y < kCameraHeight_px; ++y) {
-        const float* light = light_.data() + y * kCameraWidth_px;
+        float* light = light_.data() + y * kCameraWidth_px;
         std::byte* out = image.data() + y * kCameraWidth_px;
-        const float* normal =
-            noise_ > 0.0 ? normal_.data() + draws_.bits(index * kCameraHeight_px + y) % kNoiseTable
-                         : nullptr;
-        for (std::size_t x = 0; x < kCameraWidth_px; ++x) {
-            float level = kBlack + light[x];
-            if (normal != nullptr) {
-                level +=
-                    gain * normal[x] * std::sqrt(kReadNoise * kReadNoise + kShotNoise2 * light[x]);
-            }
-            out[x] = static_cast<std::byte>(
-                static_cast<int>(std::min(255.0F, std::max(0.0F, level + 0.5F))));
-        }
+        const std::size_t at = places == 0 ? 0 : draws_.bits(index * kCameraHeight_px + y) % places;
+        std::memcpy(out, dark_.data() + at, kCameraWidth_px);
+        const Span lit = std::exchange(lit_[y], Span{});
+        for (int x = lit.begin; x < lit.end; ++x)
+            out[x] =
+                developed(std::exchange(light[x], 0.0F), noise_[at + static_cast<std::size_t>(x)]);
     }
 }
 
 void CameraScene::render(const Exposure& exposure, std::span<std::byte> image) {
-    std::fill(light_.begin(), light_.end(), 0.0F);
-    for (const Spot& spot : lit(exposure)) add(spot);
+    for (const Spot& spot : spots(exposure)) add(spot);
     develop(exposure.index, image);
 }
 

@@ -36,17 +36,23 @@ class CameraScene {
         double peak = 0, sigma_px = 1;
     };
 
-    std::vector<Spot> lit(const Exposure& exposure) const;
+    /// Lit pixels of a row, from the first to behind the last.
+    struct Span {
+        int begin = kCameraWidth_px, end = 0;
+    };
+
+    std::vector<Spot> spots(const Exposure& exposure) const;
     void add(const Spot& spot);
-    void develop(std::uint64_t index, std::span<std::byte> image) const;
+    void develop(std::uint64_t index, std::span<std::byte> image);
 
     std::vector<dk2::Led> leds_;
     camera::Lens lens_;
-    double noise_;
     motion::Draws draws_;
     std::vector<Spot> lamps_;
-    std::vector<float> light_;   // levels above black, of the exposure in work
-    std::vector<float> normal_;  // standard normal draws, used at random offsets
+    std::vector<float> light_;     // levels above black, of the exposure in work; else 0
+    std::vector<Span> lit_;        // of each row of it
+    std::vector<float> noise_;     // normal draws of the noise's strength, used at random offsets
+    std::vector<std::byte> dark_;  // the sensor without light, of the same draws
 };
 
 }  // namespace foverig
