@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
     register_devices();
     register_hour();
     register_transport(bench);
+    register_vsync(bench);
     add_context(o);
     if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;
     bench.results.write();

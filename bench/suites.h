@@ -29,5 +29,6 @@ void register_kernels();
 void register_devices();
 void register_hour();
 void register_transport(Bench& bench);
+void register_vsync(Bench& bench);
 
 }  // namespace foverig::bench
