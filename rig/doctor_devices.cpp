@@ -1,29 +1,43 @@
 #include "rig/doctor_devices.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pthread.h>
 #include <sys/resource.h>
 
 #include <filesystem>
 
+#include "devices/dk2/about.h"
 #include "devices/hardware/found_cameras.h"
-#include "devices/hardware/live_transport.h"
+#include "devices/hardware/open_devices.h"
 
 namespace foverig {
 namespace {
 
 namespace fs = std::filesystem;
 
+std::string said_of(const hardware::FoundDevice& device) {
+    if (device.problem) return device.problem->text;
+    return fmt::format("{} ready, serial {}", device.path,
+                       device.serial.empty() ? "unknown" : device.serial);
+}
+
 std::string said_of(const std::vector<hardware::FoundDevice>& found, const std::string& absent) {
     if (found.empty()) return absent;
-    std::string text;
-    for (const hardware::FoundDevice& device : found) {
-        if (!text.empty()) text += "; ";
-        text += device.problem ? device.problem->text
-                               : fmt::format("{} ready, serial {}", device.path,
-                                             device.serial.empty() ? "unknown" : device.serial);
-    }
-    return text;
+    std::vector<std::string> texts;
+    for (const hardware::FoundDevice& device : found) texts.push_back(said_of(device));
+    return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+/// Opened for a moment; nothing is set.
+std::string said_of_headset(const hardware::FoundDevice& headset) {
+    if (headset.problem) return headset.problem->text;
+    const WallClock clock;
+    const auto device = hardware::open_headset(clock, headset.serial, {.realtime = false});
+    if (!device) return device.error().text;
+    const auto about = dk2::read_about(**device);
+    if (!about) return said_of(headset) + ", but " + about.error().text;
+    return fmt::format("{} ready, {}", headset.path, dk2::text_of(*about));
 }
 
 constexpr double kFrameRate_hz = 60.0, kFrameBits = 752.0 * 480.0 * 8.0;
@@ -76,12 +90,19 @@ std::string realtime() {
 
 }  // namespace
 
+std::vector<std::string> headset_texts(const std::vector<hardware::FoundDevice>& found) {
+    std::vector<std::string> texts;
+    for (const hardware::FoundDevice& headset : found) texts.push_back(said_of_headset(headset));
+    return texts;
+}
+
 std::vector<DoctorRow> examine_devices() {
     const std::string headset = hardware::text_of(hardware::kDk2);
+    const auto headsets = headset_texts(hardware::find_headsets());
     const std::string tracker = hardware::text_of(hardware::kGazeTracker);
     return {{"kernel", kernel_interfaces()},
-            {"headset", said_of(hardware::find_headsets(),
-                                fmt::format("none seen (Rift DK2, USB {})", headset))},
+            {"headset", headsets.empty() ? fmt::format("none seen (Rift DK2, USB {})", headset)
+                                         : fmt::format("{}", fmt::join(headsets, "; "))},
             {"gaze tracker", said_of(hardware::find_gaze_trackers(hardware::kGazeTracker),
                                      fmt::format("none seen (SGZ1, USB {})", tracker))},
             {"tracker camera", tracker_cameras()},

@@ -3,6 +3,7 @@
 #include "devices/hardware/found_cameras.h"
 #include "renderer/scene/library.h"
 #include "rig/commands.h"
+#include "rig/doctor_devices.h"
 #include "rig/scenario/scenario.h"
 #include "simulators/faults/faults.h"
 #include "simulators/motion/catalog.h"
@@ -35,7 +36,9 @@ ExitCode scenes_command() {
 
 ExitCode devices_command() {
     fmt::print("Devices on the desk (--devices hardware --clock wall):\n");
-    print_found("dk2", hardware::find_headsets());
+    const auto headsets = headset_texts(hardware::find_headsets());
+    if (headsets.empty()) print_row("dk2", "none plugged in");
+    for (const std::string& text : headsets) print_row("dk2", text);
     print_found("gaze", hardware::find_gaze_trackers(hardware::kGazeTracker));
     print_found("camera", hardware::find_cameras_of(hardware::kDk2Camera));
     fmt::print("\nSimulated devices (--devices sim); they speak the bytes of the real ones:\n");

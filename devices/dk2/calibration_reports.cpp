@@ -33,6 +33,26 @@ std::array<std::byte, FactoryCalibrationReport::kSize> FactoryCalibrationReport:
     return b;
 }
 
+Result<MagCalibrationReport> MagCalibrationReport::decode(Bytes b) {
+    if (auto reason = reason_to_reject<MagCalibrationReport>(b)) return *reason;
+    MagCalibrationReport r;
+    r.command_id = read_u16(b, 1);
+    r.version = read_u8(b, 3);
+    for (std::size_t i = 0; i < 12; ++i) {
+        r.rows[i / 4][i % 4] = static_cast<std::int32_t>(read_u32(b, 4 + 4 * i));
+    }
+    return r;
+}
+
+std::array<std::byte, MagCalibrationReport::kSize> MagCalibrationReport::encode() const {
+    auto b = blank(*this);
+    write_u8(b, 3, version);
+    for (std::size_t i = 0; i < 12; ++i) {
+        write_u32(b, 4 + 4 * i, static_cast<std::uint32_t>(rows[i / 4][i % 4]));
+    }
+    return b;
+}
+
 Result<TemperatureReport> TemperatureReport::decode(Bytes b) {
     if (auto reason = reason_to_reject<TemperatureReport>(b)) return *reason;
     return TemperatureReport{.command_id = read_u16(b, 1),

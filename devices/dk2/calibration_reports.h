@@ -1,6 +1,6 @@
 #pragma once
-// Feature reports that hold calibrations (DEVICES.md 1.5): 3 factory, 20 temperature table,
-// 21 gyro offset, 22 lens distortion. 3 needs two 64-byte control chunks.
+// Feature reports that hold calibrations (DEVICES.md 1.5): 3 factory, 14 magnetometer,
+// 20 temperature table, 21 gyro offset, 22 lens distortion. 3 needs two 64-byte control chunks.
 #include <array>
 #include <cstdint>
 
@@ -26,6 +26,21 @@ struct FactoryCalibrationReport {
     static Result<FactoryCalibrationReport> decode(Bytes bytes);
     std::array<std::byte, kSize> encode() const;
     bool operator==(const FactoryCalibrationReport&) const = default;
+};
+
+/// 14 Magnetometer calibration: a fit of its readings to a sphere. The firmware stores it and never
+/// applies it.
+struct MagCalibrationReport {
+    static constexpr std::uint8_t kId = 14;
+    static constexpr std::size_t kSize = 52;
+
+    std::uint16_t command_id = 0;
+    std::uint8_t version = 0;                           ///< of the procedure; 0: none is stored
+    std::array<std::array<std::int32_t, 4>, 3> rows{};  ///< 1e-4
+
+    static Result<MagCalibrationReport> decode(Bytes bytes);
+    std::array<std::byte, kSize> encode() const;
+    bool operator==(const MagCalibrationReport&) const = default;
 };
 
 /// 20 Temperature table, one cell; the device steps to the next cell on each GET (35 in all).

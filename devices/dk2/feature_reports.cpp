@@ -53,6 +53,22 @@ std::array<std::byte, RangeReport::kSize> RangeReport::encode() const {
     return b;
 }
 
+Result<RegisterReport> RegisterReport::decode(Bytes b) {
+    if (auto reason = reason_to_reject<RegisterReport>(b)) return *reason;
+    return RegisterReport{.command_id = read_u16(b, 1),
+                          .chip = static_cast<Chip>(read_u8(b, 3)),
+                          .address = read_u8(b, 4),
+                          .payload = read_u8(b, 5)};
+}
+
+std::array<std::byte, RegisterReport::kSize> RegisterReport::encode() const {
+    auto b = blank(*this);
+    write_u8(b, 3, static_cast<std::uint8_t>(chip));
+    write_u8(b, 4, address);
+    write_u8(b, 5, payload);
+    return b;
+}
+
 Result<Dk1KeepAliveReport> Dk1KeepAliveReport::decode(Bytes b) {
     if (auto reason = reason_to_reject<Dk1KeepAliveReport>(b)) return *reason;
     return Dk1KeepAliveReport{.command_id = read_u16(b, 1), .timeout_ms = read_u16(b, 3)};
@@ -98,20 +114,12 @@ std::array<std::byte, DisplayInfoReport::kSize> DisplayInfoReport::encode() cons
 
 Result<SerialReport> SerialReport::decode(Bytes b) {
     if (auto reason = reason_to_reject<SerialReport>(b)) return *reason;
-    SerialReport r{.command_id = read_u16(b, 1), .serial = {}};
-    for (std::size_t at = 3; at < kSize; ++at) {
-        const std::uint8_t c = read_u8(b, at);
-        r.serial += c == 0 || (c >= 0x20 && c < 0x7F) ? static_cast<char>(c) : '?';
-    }
-    r.serial.erase(r.serial.find_last_not_of('\0') + 1);
-    return r;
+    return SerialReport{.command_id = read_u16(b, 1), .serial = detail::ascii_from(b, 3)};
 }
 
 std::array<std::byte, SerialReport::kSize> SerialReport::encode() const {
     auto b = blank(*this);
-    for (std::size_t i = 0; i < serial.size() && 3 + i < kSize; ++i) {
-        write_u8(b, 3 + i, static_cast<std::uint8_t>(serial[i]));
-    }
+    detail::write_ascii(b, 3, serial);
     return b;
 }
 

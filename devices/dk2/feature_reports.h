@@ -48,6 +48,23 @@ struct RangeReport {
     bool operator==(const RangeReport&) const = default;
 };
 
+/// 5 Register: a SET writes `payload` to a chip, at once and until it is unplugged. A GET says what
+/// was written last and never what the chip holds, so that this rig only reads it.
+struct RegisterReport {
+    static constexpr std::uint8_t kId = 5;
+    static constexpr std::size_t kSize = 6;
+
+    enum class Chip : std::uint8_t { none = 0, mpu6500 = 3, lis3mdl = 4 };
+
+    std::uint16_t command_id = 0;
+    Chip chip = Chip::none;  ///< the field's 8 bits are kept; 1 and 2 are the DK1's
+    std::uint8_t address = 0, payload = 0;
+
+    static Result<RegisterReport> decode(Bytes bytes);
+    std::array<std::byte, kSize> encode() const;
+    bool operator==(const RegisterReport&) const = default;
+};
+
 /// 8 DK1 keep-alive. A SET also switches the input report to id 1, so only simulators decode it.
 struct Dk1KeepAliveReport {
     static constexpr std::uint8_t kId = 8;

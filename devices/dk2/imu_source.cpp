@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "devices/dk2/detail/get_report.h"
 #include "devices/dk2/feature_reports.h"
 
 namespace foverig::dk2 {
 namespace {
+
+using detail::get_report;
 
 constexpr std::size_t kKeptReadbacks = 64, kKeptExposures = 64;
 constexpr Nanoseconds kSetUpPause{250'000'000};  // between two tries with a headset that came back
@@ -18,13 +21,6 @@ const TrackingReport kBlinking{.enable = true,
                                .exposure_us = 350,
                                .frame_interval_us = 16666,
                                .duty = 0x7F};
-
-template <class Report>
-Result<Report> get(Transport& transport) {
-    const auto bytes = transport.control_get(Report::kId, 0, Report::kSize);
-    if (!bytes) return bytes.error();
-    return Report::decode(*bytes);
-}
 
 template <class Report>
 Status set(Transport& transport, Report report, std::uint16_t& command_id) {
@@ -46,7 +42,7 @@ Dk2ImuSource::Dk2ImuSource(Transport& transport, HostTime now,
 
 Result<Dk2ImuSource> Dk2ImuSource::open(Transport& transport, HostTime now,
                                         const ImuSourceConfig& config) {
-    const auto factory = get<FactoryCalibrationReport>(transport);
+    const auto factory = get_report<FactoryCalibrationReport>(transport);
     if (!factory) return factory.error();
     Dk2ImuSource source(transport, now, FactoryCalibration::from(*factory), config);
 
@@ -55,7 +51,7 @@ Result<Dk2ImuSource> Dk2ImuSource::open(Transport& transport, HostTime now,
 }
 
 Status Dk2ImuSource::set_up() {
-    const auto device_config = get<ConfigReport>(*transport_);
+    const auto device_config = get_report<ConfigReport>(*transport_);
     if (!device_config) return device_config.error();
     ConfigReport wanted = *device_config;
     // LibOVR's choice for the DK2: raw values from the device, the matrix applied here in double.
@@ -66,7 +62,10 @@ Status Dk2ImuSource::set_up() {
     wanted.interval = config_.interval;
     if (auto status = set(*transport_, wanted, command_id_); !status) return status;
 
-    const auto display = get<DisplayReport>(*transport_);
+    // Another program may have left smaller ones, which clip a quick turn.
+    if (auto status = set(*transport_, RangeReport{}, command_id_); !status) return status;
+
+    const auto display = get_report<DisplayReport>(*transport_);
     if (!display) return display.error();
     DisplayReport panel = *display;
     panel.read_pixel = config_.read_pixel;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "devices/dk2/detail/get_report.h"
 #include "devices/dk2/led_reports.h"
 
 namespace foverig::dk2 {
@@ -17,9 +18,7 @@ template <class Report>
 Result<std::vector<Report>> read_all(Transport& transport) {
     std::vector<std::optional<Report>> seen;
     for (int i = 0; i <= kMostPoints; ++i) {
-        const auto bytes = transport.control_get(Report::kId, 0, Report::kSize);
-        if (!bytes) return bytes.error();
-        const auto report = Report::decode(*bytes);
+        const auto report = detail::get_report<Report>(transport);
         if (!report) return report.error();
         const std::size_t count = report->count, index = report->index;
         if (seen.empty()) seen.resize(std::min<std::size_t>(count, kMostPoints));

@@ -71,7 +71,7 @@ void Dk2Firmware::advance(HostTime until, ReportWire& wire) {
 void Dk2Firmware::sample() {
     const HostTime now = next_sample_;
     const auto slot = imu_.measure(settings_.head->at(to_seconds(now.time_since_epoch())), samples_,
-                                   to_seconds(now - settings_.plugged_in));
+                                   to_seconds(now - settings_.plugged_in), features_.range());
     packer_.add(slot, static_cast<std::uint16_t>(samples_), stamp_us(now));
     next_sample_ = sample_time(++samples_);
     queue_if_due(now);

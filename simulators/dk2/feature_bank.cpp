@@ -2,11 +2,51 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "devices/dk2/identity_reports.h"
 #include "devices/dk2/led_reports.h"
 #include "simulators/dk2/led_table.h"
 
 namespace foverig {
 namespace {
+
+constexpr std::size_t kBins = 7, kSamplesPerBin = 5;  // of the temperature table
+constexpr std::int16_t kFirstBin_centi_c = 1500, kBinWidth_centi_c = 500;
+// As of a device that never went through a factory, the serial is the UUID's beginning.
+constexpr const char* kUuid = "FOVERIGSIM01AAAAAAAA";
+
+/// The smallest of a chip's ranges that holds `asked`, or its largest.
+template <class T>
+T next_range(const std::array<T, 4>& ranges, T asked) {
+    const auto found = std::lower_bound(ranges.begin(), ranges.end(), asked);
+    return found == ranges.end() ? ranges.back() : *found;
+}
+
+dk2::RangeReport rounded_up(dk2::RangeReport asked) {
+    asked.accel_g = next_range<std::uint8_t>({2, 4, 8, 16}, asked.accel_g);
+    asked.gyro_deg_s = next_range<std::uint16_t>({250, 500, 1000, 2000}, asked.gyro_deg_s);
+    asked.mag_milligauss =
+        next_range<std::uint16_t>({4000, 8000, 12000, 16000}, asked.mag_milligauss);
+    return asked;
+}
+
+/// Nothing was ever stored in it.
+dk2::TemperatureReport temperature_cell(std::size_t cell) {
+    const auto bin = static_cast<std::uint8_t>(cell / kSamplesPerBin);
+    return {
+        .bins = kBins,
+        .bin = bin,
+        .samples_per_bin = kSamplesPerBin,
+        .sample = static_cast<std::uint8_t>(cell % kSamplesPerBin),
+        .target_centi_c = static_cast<std::int16_t>(kFirstBin_centi_c + bin * kBinWidth_centi_c)};
+}
+
+std::size_t step(std::size_t& next, std::size_t count) {
+    const std::size_t now = next;
+    next = (now + 1) % count;
+    return now;
+}
 
 /// Stores a report that decodes; its text is the decoder's otherwise.
 template <class Report>
@@ -57,6 +97,10 @@ Status FeatureBank::set(Bytes report, HostTime now) {
             break;
         case dk2::RangeReport::kId:
             status = store(range_, report);
+            range_ = rounded_up(range_);
+            break;
+        case dk2::RegisterReport::kId:
+            status = store(register_, report);
             break;
         case dk2::Dk1KeepAliveReport::kId: {
             dk2::Dk1KeepAliveReport old_format;
@@ -95,6 +139,14 @@ Status FeatureBank::set(Bytes report, HostTime now) {
 }
 
 Result<std::vector<std::byte>> FeatureBank::get(std::uint8_t id) {
+    auto answered = answer(id);
+    if (!answered) return answered;
+    std::vector<std::byte> report = std::move(answered).value();
+    write_u16(report, 1, last_command_id_);
+    return report;
+}
+
+Result<std::vector<std::byte>> FeatureBank::answer(std::uint8_t id) {
     switch (id) {
         case dk2::ConfigReport::kId:
             return to_vector(config_.encode());
@@ -102,26 +154,36 @@ Result<std::vector<std::byte>> FeatureBank::get(std::uint8_t id) {
             return to_vector(dk2::FactoryCalibrationReport{}.encode());
         case dk2::RangeReport::kId:
             return to_vector(range_.encode());
+        case dk2::RegisterReport::kId:
+            return to_vector(register_.encode());
+        case dk2::Dk1KeepAliveReport::kId:
+            return to_vector(
+                dk2::Dk1KeepAliveReport{.timeout_ms = keep_alive_.timeout_ms}.encode());
         case dk2::DisplayInfoReport::kId:
             return to_vector(dk2::DisplayInfoReport{}.encode());
         case dk2::SerialReport::kId:
-            return to_vector(dk2::SerialReport{0, "FOVERIGSIM01"}.encode());
+            return to_vector(dk2::SerialReport{.serial = kUuid}.encode());
         case dk2::TrackingReport::kId:
             return to_vector(tracking_.encode());
         case dk2::DisplayReport::kId:
             return to_vector(display_.encode());
-        case dk2::PositionReport::kId: {
-            const std::size_t index = next_position_;
-            next_position_ = (index + 1) % (kLedTable.size() + 1);
-            return to_vector(position(index).encode());
-        }
-        case dk2::PatternReport::kId: {
-            const std::size_t index = next_pattern_;
-            next_pattern_ = (index + 1) % kLedTable.size();
-            return to_vector(pattern(index).encode());
-        }
+        case dk2::MagCalibrationReport::kId:
+            return to_vector(dk2::MagCalibrationReport{}.encode());
+        case dk2::PositionReport::kId:
+            return to_vector(position(step(next_position_, kLedTable.size() + 1)).encode());
+        case dk2::PatternReport::kId:
+            return to_vector(pattern(step(next_pattern_, kLedTable.size())).encode());
         case dk2::KeepAliveMuxReport::kId:
             return to_vector(keep_alive_.encode());
+        case dk2::ManufacturingReport::kId: {
+            dk2::ManufacturingReport never_made;
+            never_made.stage = static_cast<std::uint8_t>(step(next_stage_, never_made.stages));
+            return to_vector(never_made.encode());
+        }
+        case dk2::UuidReport::kId:
+            return to_vector(dk2::UuidReport{.uuid = kUuid}.encode());
+        case dk2::TemperatureReport::kId:
+            return to_vector(temperature_cell(step(next_cell_, kBins * kSamplesPerBin)).encode());
         case dk2::GyroOffsetReport::kId:
             return to_vector(dk2::GyroOffsetReport{}.encode());
         case dk2::LensDistortionReport::kId:

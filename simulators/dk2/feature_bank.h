@@ -17,9 +17,11 @@ class FeatureBank {
     /// A device that was plugged in at `now`, with the firmware's defaults.
     explicit FeatureBank(HostTime now) : last_set_(now) {}
 
-    /// `report` is the whole report, id included. What the firmware only answers cannot be set.
+    /// `report` is the whole report, id included. What the firmware would write to its memory for
+    /// good (calibrations, positions, serials) is refused, and so is the way into its boot loader.
     Status set(Bytes report, HostTime now);
-    /// Steps to the next index where the firmware does (reports 15 and 16).
+    /// Steps to the next index where the firmware does (reports 15, 16, 18 and 20). All carry the
+    /// last SET's CommandID. Report 7 and what is no report are refused, which is a stall on USB.
     Result<std::vector<std::byte>> get(std::uint8_t id);
 
     /// Input reports flow and LEDs light; false after a time-out without any SET.
@@ -27,22 +29,26 @@ class FeatureBank {
     std::uint16_t last_command_id() const { return last_command_id_; }
     std::uint8_t input_report() const { return input_report_; }
     const dk2::ConfigReport& config() const { return config_; }
+    const dk2::RangeReport& range() const { return range_; }
     const dk2::DisplayReport& display() const { return display_; }
     const dk2::TrackingReport& tracking() const { return tracking_; }
     /// When the last SET of the tracking report came.
     HostTime tracking_since() const { return tracking_since_; }
 
   private:
+    Result<std::vector<std::byte>> answer(std::uint8_t id);
+
     HostTime last_set_;
     std::uint16_t last_command_id_ = 0;
     std::uint8_t input_report_ = 11;
     dk2::ConfigReport config_;
     dk2::RangeReport range_;
+    dk2::RegisterReport register_;
     dk2::TrackingReport tracking_;
     dk2::DisplayReport display_;
     dk2::KeepAliveMuxReport keep_alive_;
     HostTime tracking_since_{};
-    std::size_t next_position_ = 0, next_pattern_ = 0;
+    std::size_t next_position_ = 0, next_pattern_ = 0, next_stage_ = 0, next_cell_ = 0;
 };
 
 }  // namespace foverig

@@ -10,6 +10,7 @@ using motion::Draws;
 
 constexpr double kSamplePeriod_s = 1e-3;
 constexpr double kCold_c = 25.0, kWarm_c = 38.0, kWarmUp_s = 480.0;
+// At the ranges that the firmware starts with; steps grow with the range.
 constexpr double kGyroStep_deg_s = 1.0 / 16.4, kGyroRange_deg_s = 2000.0;
 constexpr double kAccelStep_g = 1.0 / 8192.0, kAccelRange_g = 4.0;
 
@@ -82,7 +83,7 @@ dvec3 ImuModel::gyro_errors(const dvec3& true_rad_s, std::uint64_t index, double
 }
 
 dk2::InertialSlot ImuModel::measure(const motion::HeadState& head, std::uint64_t index,
-                                    double running_s) {
+                                    double running_s, const dk2::RangeReport& range) {
     dvec3 gyro = gyro_errors(head.angular_velocity_rad_s, index, running_s);
     dvec3 accel = motion::specific_force(head, kImuFromEyes_m, kGravity_m_s2);
     if (faults_.scale > 0.0) accel = accel_scale_ * accel;
@@ -91,8 +92,12 @@ dk2::InertialSlot ImuModel::measure(const motion::HeadState& head, std::uint64_t
         accel += noise(index, kAccelNoise, faults_.noise * kAccelNoise_m_s2);
     }
     if (faults_.quantise > 0.0) {
-        gyro = to_steps(gyro, glm::radians(kGyroStep_deg_s), glm::radians(kGyroRange_deg_s));
-        accel = to_steps(accel, kGravity_m_s2 * kAccelStep_g, kGravity_m_s2 * kAccelRange_g);
+        const double gyro_share = range.gyro_deg_s / kGyroRange_deg_s;
+        const double accel_share = range.accel_g / kAccelRange_g;
+        gyro = to_steps(gyro, gyro_share * glm::radians(kGyroStep_deg_s),
+                        gyro_share * glm::radians(kGyroRange_deg_s));
+        accel = to_steps(accel, accel_share * kGravity_m_s2 * kAccelStep_g,
+                         accel_share * kGravity_m_s2 * kAccelRange_g);
     }
     return {.accel = dk2::from_si(accel), .gyro = dk2::from_si(gyro)};
 }

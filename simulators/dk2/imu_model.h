@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "devices/dk2/feature_reports.h"
 #include "devices/dk2/input_reports.h"
 #include "devices/head_geometry.h"
 #include "simulators/faults/faults.h"
@@ -21,7 +22,9 @@ class ImuModel {
     ImuModel(const Dk2Faults& faults, std::uint64_t seed);
 
     /// One sample; call once for each `index` in order, as bias walk and filter keep a state.
-    dk2::InertialSlot measure(const motion::HeadState& head, std::uint64_t index, double running_s);
+    /// `range` is the chip's: it says where values are clipped, and how fine they are.
+    dk2::InertialSlot measure(const motion::HeadState& head, std::uint64_t index, double running_s,
+                              const dk2::RangeReport& range = {});
     /// Degrees Celsius, `running_s` after power-on.
     double temperature_c(double running_s) const;
 

@@ -1,8 +1,9 @@
 #pragma once
-// What every feature report's decoder asks first.
+// What every feature report's decoder asks first, and what several write alike.
 #include <fmt/format.h>
 
 #include <optional>
+#include <string>
 
 #include "devices/bytes.h"
 #include "devices/result.h"
@@ -32,6 +33,23 @@ std::array<std::byte, Report::kSize> blank(const Report& report) {
     write_u8(b, 0, Report::kId);
     write_u16(b, 1, report.command_id);
     return b;
+}
+
+/// The rest of `b` as text without its trailing NULs; what is not printable ASCII becomes '?'.
+inline std::string ascii_from(Bytes b, std::size_t at) {
+    std::string text;
+    for (; at < b.size(); ++at) {
+        const std::uint8_t c = read_u8(b, at);
+        text += c == 0 || (c >= 0x20 && c < 0x7F) ? static_cast<char>(c) : '?';
+    }
+    text.erase(text.find_last_not_of('\0') + 1);
+    return text;
+}
+/// Cut where `b` ends.
+inline void write_ascii(std::span<std::byte> b, std::size_t at, const std::string& text) {
+    for (std::size_t i = 0; i < text.size() && at + i < b.size(); ++i) {
+        write_u8(b, at + i, static_cast<std::uint8_t>(text[i]));
+    }
 }
 
 inline bool bit(std::uint32_t word, int index) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/dk2/calibration_reports.h"
+#include "devices/dk2/identity_reports.h"
 #include "tests/devices/byte_text.h"
 
 namespace foverig::dk2 {
@@ -37,6 +38,15 @@ TEST(ConfigReport, EachFlagHasItsBit) {
 
 TEST(RangeReport, DefaultsAreTheDk2s) {
     EXPECT_EQ(copy_of(RangeReport{}.encode()), bytes_of("04 00 00 04 d0 07 a0 0f"));
+}
+
+TEST(RegisterReport, NamesChipAddressAndPayload) {
+    const RegisterReport r{.command_id = 0x0201,
+                           .chip = RegisterReport::Chip::mpu6500,
+                           .address = 0x1B,
+                           .payload = 0x18};
+    EXPECT_EQ(copy_of(r.encode()), bytes_of("05 01 02 03 1b 18"));
+    EXPECT_EQ(*RegisterReport::decode(r.encode()), r);
 }
 
 TEST(Dk1KeepAliveReport, HoldsMilliseconds) {
@@ -104,6 +114,35 @@ TEST(FactoryCalibrationReport, LaysTriplesOutInOrder) {
     EXPECT_EQ(*FactoryCalibrationReport::decode(b), r);
 }
 
+TEST(MagCalibrationReport, IsAVersionAndTwelveNumbersByRows) {
+    MagCalibrationReport r{.version = 2};
+    r.rows[0][1] = 0x01020304;
+    r.rows[2][3] = -1;
+    std::vector<std::byte> expected = bytes_of("0e 00 00 02 00 00 00 00 04 03 02 01");
+    expected.resize(48);
+    for (const std::byte b : bytes_of("ff ff ff ff")) expected.push_back(b);
+    EXPECT_EQ(copy_of(r.encode()), expected);
+    EXPECT_EQ(*MagCalibrationReport::decode(r.encode()), r);
+}
+
+TEST(ManufacturingReport, RoundTripsAtItsOffsets) {
+    const ManufacturingReport r{.stages = 6,
+                                .stage = 5,
+                                .stage_version = 2,
+                                .location = 0x6B01,
+                                .unix_time_s = 0x53C00000,
+                                .result = 1};
+    EXPECT_EQ(copy_of(r.encode()), bytes_of("12 00 00 06 05 02 01 6b 00 00 c0 53 01 00 00 00"));
+    EXPECT_EQ(*ManufacturingReport::decode(r.encode()), r);
+}
+
+TEST(UuidReport, IsTwentyCharacters) {
+    const UuidReport r{.uuid = "ABCDEFGHIJKLMNOPQRST"};
+    EXPECT_EQ(copy_of(r.encode()),
+              bytes_of("13 00 00 41 42 43 44 45 46 47 48 49 4a 4b 4c 4d 4e 4f 50 51 52 53 54"));
+    EXPECT_EQ(UuidReport::decode(r.encode())->uuid, r.uuid);
+}
+
 TEST(TemperatureReport, RoundTripsAtItsOffsets) {
     const TemperatureReport r{.version = 2,
                               .bin = 3,
@@ -137,7 +176,8 @@ TEST(LensDistortionReport, HoldsTheFirmwaresK) {
 template <class Report>
 class EveryFeatureReport : public testing::Test {};
 using AllReports =
-    testing::Types<ConfigReport, FactoryCalibrationReport, RangeReport, Dk1KeepAliveReport,
+    testing::Types<ConfigReport, FactoryCalibrationReport, RangeReport, RegisterReport,
+                   Dk1KeepAliveReport, MagCalibrationReport, ManufacturingReport, UuidReport,
                    DisplayInfoReport, SerialReport, TrackingReport, DisplayReport,
                    KeepAliveMuxReport, TemperatureReport, GyroOffsetReport, LensDistortionReport>;
 TYPED_TEST_SUITE(EveryFeatureReport, AllReports);

@@ -41,21 +41,24 @@ InputReport11 report(std::uint16_t count, std::uint32_t stamp_us) {
 TEST(Dk2ImuSource, TakesTheCalibrationOverAndTurnsTheLatencyTesterOn) {
     FakeTransport t;
     open(t);
-    ASSERT_EQ(t.sets.size(), 3u);
+    ASSERT_EQ(t.sets.size(), 4u);
     const auto config = ConfigReport::decode(t.sets[0].data);
     ASSERT_TRUE(config);
     EXPECT_FALSE(config->use_calibration);
     EXPECT_TRUE(config->auto_calibration);
     EXPECT_EQ(config->interval, 0);
-    const auto display = DisplayReport::decode(t.sets[1].data);
+    const auto range = RangeReport::decode(t.sets[1].data);
+    ASSERT_TRUE(range);
+    EXPECT_EQ(range->gyro_deg_s, 2000);
+    const auto display = DisplayReport::decode(t.sets[2].data);
     ASSERT_TRUE(display);
     EXPECT_TRUE(display->read_pixel);
     EXPECT_EQ(display->persistence_rows, 435);
-    const auto awake = KeepAliveMuxReport::decode(t.sets[2].data);
+    const auto awake = KeepAliveMuxReport::decode(t.sets[3].data);
     ASSERT_TRUE(awake);
     EXPECT_EQ(awake->input_report, 11);
     EXPECT_EQ(awake->timeout_ms, 10000);
-    EXPECT_EQ(awake->command_id, 3);
+    EXPECT_EQ(awake->command_id, 4);
 }
 
 TEST(Dk2ImuSource, OpenSaysWhichReportFailed) {

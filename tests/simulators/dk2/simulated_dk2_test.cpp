@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/dk2/feature_reports.h"
+#include <map>
+
+#include "devices/dk2/about.h"
+#include "devices/dk2/calibration_reports.h"
+#include "devices/dk2/imu_source.h"
 #include "simulators/motion/simple_heads.h"
 #include "tests/simulators/dk2/dk2_bench.h"
 
@@ -62,6 +66,85 @@ TEST(SimulatedDk2, AnswersWhatWasSetAndEchoesTheCommand) {
     EXPECT_EQ(dk2.get<dk2::DisplayReport>().pixel_settle_us, 100);
     EXPECT_TRUE(dk2.get<dk2::DisplayReport>().read_pixel);
     EXPECT_EQ(dk2.get<dk2::SerialReport>().serial.size(), 12u);
+}
+
+// The sizes that the device answers with (DEVICES.md 1.1); 1 and 11 are input reports, 7 is not
+// supported, 6 leads to the boot loader.
+TEST(SimulatedDk2, AnswersEveryFeatureReportAndStallsOnTheOthers) {
+    const std::map<int, std::size_t> sizes{
+        {2, 7},   {3, 69},  {4, 8},   {5, 6},  {8, 5},   {9, 56},  {10, 15}, {12, 13}, {13, 16},
+        {14, 52}, {15, 30}, {16, 12}, {17, 6}, {18, 16}, {19, 23}, {20, 24}, {21, 18}, {22, 64}};
+    Dk2Bench dk2;
+    ASSERT_TRUE(dk2.set(dk2::KeepAliveMuxReport{.command_id = 0x1234}));
+    for (int id = 0; id < 256; ++id) {
+        const auto answer = dk2.device.control_get(static_cast<std::uint8_t>(id), 0, 255);
+        const auto size = sizes.find(id);
+        ASSERT_EQ(static_cast<bool>(answer), size != sizes.end()) << id;
+        if (!answer) continue;
+        EXPECT_EQ(answer->size(), size->second) << id;
+        EXPECT_EQ(read_u8(*answer, 0), id);
+        EXPECT_EQ(read_u16(*answer, 1), 0x1234) << id;
+    }
+}
+
+TEST(SimulatedDk2, WalksThroughItsTemperatureTableAndItsStages) {
+    Dk2Bench dk2;
+    for (int round = 0; round < 2; ++round) {
+        for (int cell = 0; cell < 35; ++cell) {
+            const auto report = dk2.get<dk2::TemperatureReport>();
+            EXPECT_EQ(report.bin, cell / 5);
+            EXPECT_EQ(report.sample, cell % 5);
+            EXPECT_EQ(report.target_centi_c, 1500 + 500 * (cell / 5));
+            EXPECT_EQ(report.version, 0);
+        }
+        for (int stage = 0; stage < 10; ++stage) {
+            EXPECT_EQ(dk2.get<dk2::ManufacturingReport>().stage, stage);
+        }
+    }
+}
+
+TEST(SimulatedDk2, SaysThatItWasNeverMade) {
+    Dk2Bench dk2;
+    ASSERT_TRUE(dk2.set(dk2::RegisterReport{
+        .chip = dk2::RegisterReport::Chip::lis3mdl, .address = 0x20, .payload = 0x70}));
+    const auto about = dk2::read_about(dk2.device);
+    ASSERT_TRUE(about) << about.error().text;
+    EXPECT_EQ(about->serial, about->uuid.substr(0, 12));
+    EXPECT_EQ(about->uuid.size(), 20U);
+    EXPECT_TRUE(about->stages.empty());
+    EXPECT_EQ(about->written.payload, 0x70);
+}
+
+TEST(SimulatedDk2, TakesTheNextRangeUp) {
+    Dk2Bench dk2;
+    ASSERT_TRUE(
+        dk2.set(dk2::RangeReport{.accel_g = 3, .gyro_deg_s = 251, .mag_milligauss = 60000}));
+    EXPECT_EQ(dk2.get<dk2::RangeReport>(),
+              (dk2::RangeReport{.accel_g = 4, .gyro_deg_s = 500, .mag_milligauss = 16000}));
+}
+
+/// A turn of 60 degrees in 0.25 s comes to 450 deg/s (minimum jerk: 1.875 times the mean), which a
+/// range of 250 clips, until a source sets the headset up.
+TEST(SimulatedDk2, ClipsAtTheRangeThatAnotherProgramLeft) {
+    for (const bool set_up : {false, true}) {
+        ManualClock clock;
+        const motion::StepHead head({.amplitude_deg = 60.0, .duration_s = 0.25});
+        SimulatedDk2 device(clock, head, with("quantise", 1.0));
+        ASSERT_TRUE(device.control_set(4, 0, dk2::RangeReport{.gyro_deg_s = 250}.encode()));
+        if (set_up) {
+            ASSERT_TRUE(dk2::Dk2ImuSource::open(device, clock.now()));
+        }
+        double fastest_deg_s = 0.0;
+        while (true) {
+            const auto next = device.next(at(seconds(2)));
+            const auto* packet = std::get_if<Packet>(&next);
+            if (packet == nullptr) break;
+            const auto report = dk2::InputReport11::decode(packet->bytes);
+            fastest_deg_s =
+                std::max(fastest_deg_s, glm::degrees(dk2::to_si(report->slots[0].gyro).y));
+        }
+        EXPECT_NEAR(fastest_deg_s, set_up ? 450.0 : 250.0, 0.1);
+    }
 }
 
 TEST(SimulatedDk2, RefusesWhatItDoesNotKnow) {
