@@ -87,8 +87,8 @@ void Dk2Decoder::expand(DecodedReport& out, std::span<const InertialSlot> slots,
         s.device_time = newest - before_newest * kSampleInterval;
         s.sequence = next_sequence_ - static_cast<std::uint64_t>(before_newest) - 1;
         s.accel_m_s2 = calibration_.accel(slot.accel);
-        s.gyro_rad_s = calibration_.gyro(slot.gyro);
         s.temperature_c = 0.01 * temperature_centi_c;
+        s.gyro_rad_s = calibration_.gyro(slot.gyro, s.temperature_c);
     }
     out.samples.front().gap = out.lost > 0 || out.restarted;
     newest_ = newest;

@@ -16,8 +16,8 @@ dmat3 matrix(const std::array<Triple, 3>& rows) {
 }  // namespace
 
 FactoryCalibration FactoryCalibration::from(const FactoryCalibrationReport& report) {
-    return {to_si(report.accel_offset), to_si(report.gyro_offset), matrix(report.accel_rows),
-            matrix(report.gyro_rows)};
+    return {to_si(report.accel_offset), GyroOffsets(to_si(report.gyro_offset)),
+            matrix(report.accel_rows), matrix(report.gyro_rows)};
 }
 
 }  // namespace foverig::dk2

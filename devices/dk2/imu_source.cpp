@@ -44,7 +44,12 @@ Result<Dk2ImuSource> Dk2ImuSource::open(Transport& transport, HostTime now,
                                         const ImuSourceConfig& config) {
     const auto factory = get_report<FactoryCalibrationReport>(transport);
     if (!factory) return factory.error();
-    Dk2ImuSource source(transport, now, FactoryCalibration::from(*factory), config);
+    FactoryCalibration calibration = FactoryCalibration::from(*factory);
+    // A headset that tells none has the factory's offset at every temperature.
+    if (auto offsets = read_gyro_offsets(transport, to_si(factory->gyro_offset))) {
+        calibration.gyro_offsets = std::move(offsets).value();
+    }
+    Dk2ImuSource source(transport, now, calibration, config);
 
     if (auto status = source.set_up(); !status) return status.error();
     return source;

@@ -24,7 +24,8 @@ class Dk2ImuSource {
   public:
     using Sample = ImuSample;
 
-    /// Reads the factory calibration, takes it over from the device, selects report 11.
+    /// Reads the factory calibration and the gyro's offsets by temperature, takes them over from
+    /// the device, selects report 11.
     /// `transport` outlives the source; `now` starts the keep-alive.
     static Result<Dk2ImuSource> open(Transport& transport, HostTime now,
                                      const ImuSourceConfig& config = {});

@@ -2,6 +2,10 @@
 // The gyro's offset, learnt while the headset lies still (DEVICES.md 3.1, autocalibrate.c). Gravity
 // must lie still too, so that a slow nod or tilt is not learnt. A steady turn about the vertical of
 // less than max_deviation_rad_s looks like an offset to both sensors and is taken for one.
+//
+// The offset also moves with the chip's temperature. Each still moment after another is one
+// equation, offset gained = slope * warmth gained + what walked meanwhile, and the slope is their
+// least-squares solution that begins at 0 +- slope_sigma (a Gaussian prior).
 #include "devices/imu_sample.h"
 
 namespace foverig {
@@ -15,6 +19,11 @@ struct GyroBiasConfig {
     /// Own choice: standard deviation of the accelerometer per axis, twice its noise (6.2). A turn
     /// of 0.6 deg/s across gravity passes it in 6 s.
     double max_accel_deviation_m_s2 = 0.2;
+    /// Per axis, before anything is learnt: a third of the 0.24 deg/s/C that a chip may have (6.2).
+    /// 0: nothing is learnt.
+    double slope_sigma_rad_s_c = 1.4e-3;
+    double mean_sigma_rad_s = 4e-5;   ///< of a still moment: 3.1e-3 of 6000 samples (6.2)
+    double walk_rad_s_sqrt_s = 5e-5;  ///< of the offset, between two (6.2)
 };
 
 class GyroBias {
@@ -22,17 +31,33 @@ class GyroBias {
     explicit GyroBias(const GyroBiasConfig& config = {}) : config_(config) {}
 
     /// `gyro_rad_s` with no offset taken off; `dt_s` since the sample before.
-    void add(const dvec3& gyro_rad_s, const dvec3& accel_m_s2, double dt_s);
+    void add(const dvec3& gyro_rad_s, const dvec3& accel_m_s2, double temperature_c, double dt_s);
 
-    const dvec3& offset_rad_s() const { return offset_rad_s_; }
+    dvec3 offset_rad_s(double temperature_c) const {
+        return learnt_.rad_s + (temperature_c - learnt_.temperature_c) * slope_rad_s_c();
+    }
+    dvec3 slope_rad_s_c() const;
     bool known() const { return known_; }
 
   private:
     void restart();
     void adopt_if_gravity_was_still();
 
+    /// One still moment's.
+    struct Moment {
+        dvec3 rad_s{0};
+        double temperature_c = 0;
+        double time_s = 0;
+    };
+    void learn_slope(const Moment& later);
+
     GyroBiasConfig config_;
-    dvec3 smooth_{0}, mean_{0}, offset_rad_s_{0};
+    Moment learnt_;
+    dvec3 slope_sum_{0};  ///< of the equations, each by its weight
+    double slope_information_ = 0;
+    double time_s_ = 0;
+    dvec3 smooth_{0}, mean_{0};
+    double mean_temperature_c_ = 0;
     dvec3 accel_mean_m_s2_{0}, accel_squares_{0};  ///< squared deviations, summed (Welford)
     int samples_ = 0;
     double still_s_ = 0;

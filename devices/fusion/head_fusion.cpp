@@ -41,8 +41,9 @@ void HeadFusion::add(const ImuSample& sample) {
     } else {
         integrate(sample, dt_s);
     }
-    if (config_.auto_bias) bias_.add(sample.gyro_rad_s, sample.accel_m_s2, dt_s);
-    rate_rad_s_ = sample.gyro_rad_s - bias_.offset_rad_s();
+    if (config_.auto_bias)
+        bias_.add(sample.gyro_rad_s, sample.accel_m_s2, sample.temperature_c, dt_s);
+    rate_rad_s_ = sample.gyro_rad_s - bias_.offset_rad_s(sample.temperature_c);
     newest_ = sample;
     remember_rate(sample);
     correct_tilt(sample.accel_m_s2, dt_s);
@@ -58,7 +59,7 @@ void HeadFusion::start(const ImuSample& sample) {
 }
 
 void HeadFusion::integrate(const ImuSample& sample, double dt_s) {
-    const dvec3 rate_rad_s = sample.gyro_rad_s - bias_.offset_rad_s();
+    const dvec3 rate_rad_s = sample.gyro_rad_s - bias_.offset_rad_s(sample.temperature_c);
     // Over missing samples the last rate goes on; only the last interval knows both its ends.
     const double known_s = std::min(dt_s, 1.5 * kSampleInterval_s);
     world_from_head_ = world_from_head_ * exp_map(rate_rad_s_ * (dt_s - known_s)) *

@@ -12,6 +12,12 @@ std::unique_ptr<camera::HeadCamera> open_camera(Transport* camera, Transport& he
                   camera::HeadCamera::open(*camera, opened("dk2", dk2::read_leds(headset))));
 }
 
+/// Offsets that the headset has by temperature leave a residue of 0.01 deg/s/C (DEVICES.md 6.2).
+HeadFusionConfig knowing(HeadFusionConfig config, const dk2::FactoryCalibration& calibration) {
+    if (calibration.gyro_offsets.by_temperature()) config.bias.slope_sigma_rad_s_c = 1.75e-4;
+    return config;
+}
+
 }  // namespace
 
 HeadTracker::HeadTracker(Transport& transport, HostTime now, const HeadFusionConfig& config,
@@ -19,7 +25,7 @@ HeadTracker::HeadTracker(Transport& transport, HostTime now, const HeadFusionCon
     : camera_(open_camera(camera.transport, transport)),
       source_(opened("dk2", dk2::Dk2ImuSource::open(transport, now,
                                                     {.light_leds = camera.transport != nullptr}))),
-      fusion_(TrackedHeadConfig{.inertial = config}),
+      fusion_(TrackedHeadConfig{.inertial = knowing(config, source_.calibration())}),
       on_sample_(std::move(on_sample)),
       on_fix_(camera.on_fix) {}
 

@@ -50,7 +50,8 @@ ReplayedWorld::ReplayedWorld(const Scenario& scenario, Clock& clock)
       panel_(panel_settings(scenario, clock.now())),
       headset_(recording_, "dk2", clock,
                {.loop = scenario.replay.loop,
-                .successive_requests = {dk2::PositionReport::kId, dk2::PatternReport::kId}}),
+                .successive_requests = {dk2::PositionReport::kId, dk2::PatternReport::kId,
+                                        dk2::TemperatureReport::kId}}),
       gaze_tracker_(recording_, "gaze", clock,
                     {.loop = scenario.replay.loop, .momentary_request = gaze::request::get_time}) {
     if (!scenario.tracking.camera) return;

@@ -1,6 +1,7 @@
 #include "rig/session/session_recording.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <stdexcept>
 
@@ -45,6 +46,15 @@ std::string numbers(const dvec3& v) {
 std::string numbers(const dmat3& columns) {
     const dmat3 rows = glm::transpose(columns);
     return fmt::format("{} {} {}", numbers(rows[0]), numbers(rows[1]), numbers(rows[2]));
+}
+
+/// Rows of temperature and offset.
+std::string numbers(const std::vector<dk2::OffsetAt>& offsets) {
+    std::vector<std::string> rows;
+    for (const dk2::OffsetAt& offset : offsets) {
+        rows.push_back(fmt::format("{} {}", offset.temperature_c, numbers(offset.rad_s)));
+    }
+    return fmt::format("{}", fmt::join(rows, " "));
 }
 
 }  // namespace
@@ -101,10 +111,12 @@ Transport& SessionRecording::tracker_camera(Transport& device, const Clock& cloc
 }
 
 void SessionRecording::calibration(const dk2::FactoryCalibration& factory) {
+    const dk2::GyroOffsets& offsets = factory.gyro_offsets;
     recorder_->note({.name = "foverig.calibration.dk2",
                      .texts = {{"accel_offset_m_s2", numbers(factory.accel_offset_m_s2)},
                                {"accel_from_raw_rows", numbers(factory.accel_from_raw)},
-                               {"gyro_offset_rad_s", numbers(factory.gyro_offset_rad_s)},
+                               {"gyro_offset_rad_s", numbers(offsets.constant_rad_s())},
+                               {"gyro_offsets_c_rad_s", numbers(offsets.stored())},
                                {"gyro_from_raw_rows", numbers(factory.gyro_from_raw)}}});
 }
 

@@ -21,6 +21,11 @@ SimulatedDeviceClock device_clock(const Dk2Firmware::Settings& s) {
         s.seed);
 }
 
+FeatureBank::StoredOffset stored_offset(const Dk2Faults& faults, const ImuModel& imu) {
+    if (faults.temperature_table <= 0.0) return {};
+    return [imu](double celsius) { return imu.gyro_bias_rad_s(celsius); };
+}
+
 // The firmware shows the pattern's frame first and steps on after it.
 std::uint8_t pattern_of(const dk2::TrackingReport& tracking, std::int64_t exposures) {
     if (!tracking.auto_increment || tracking.pattern == 0xFF) return tracking.pattern;
@@ -31,8 +36,8 @@ std::uint8_t pattern_of(const dk2::TrackingReport& tracking, std::int64_t exposu
 
 Dk2Firmware::Dk2Firmware(const Settings& settings)
     : settings_(settings),
-      features_(settings.plugged_in),
       imu_(settings.faults, settings.seed),
+      features_(settings.plugged_in, stored_offset(settings.faults, imu_)),
       clock_(device_clock(settings)),
       jitter_(settings.seed, 610),
       stamps_(settings.seed, 611),

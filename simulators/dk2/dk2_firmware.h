@@ -53,8 +53,8 @@ class Dk2Firmware {
     std::int16_t temperature_centi_c(HostTime now) const;
 
     Settings settings_;
-    FeatureBank features_;
     ImuModel imu_;
+    FeatureBank features_;
     SimulatedDeviceClock clock_;
     SamplePacker packer_;
     motion::Draws jitter_, stamps_;

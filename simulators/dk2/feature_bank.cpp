@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kBins = 7, kSamplesPerBin = 5;  // of the temperature table
 constexpr std::int16_t kFirstBin_centi_c = 1500, kBinWidth_centi_c = 500;
+constexpr std::uint32_t kStored_unix_s = 1405123200;  // any time but 0, which is never
 // As of a device that never went through a factory, the serial is the UUID's beginning.
 constexpr const char* kUuid = "FOVERIGSIM01AAAAAAAA";
 
@@ -29,17 +30,6 @@ dk2::RangeReport rounded_up(dk2::RangeReport asked) {
     asked.mag_milligauss =
         next_range<std::uint16_t>({4000, 8000, 12000, 16000}, asked.mag_milligauss);
     return asked;
-}
-
-/// Nothing was ever stored in it.
-dk2::TemperatureReport temperature_cell(std::size_t cell) {
-    const auto bin = static_cast<std::uint8_t>(cell / kSamplesPerBin);
-    return {
-        .bins = kBins,
-        .bin = bin,
-        .samples_per_bin = kSamplesPerBin,
-        .sample = static_cast<std::uint8_t>(cell % kSamplesPerBin),
-        .target_centi_c = static_cast<std::int16_t>(kFirstBin_centi_c + bin * kBinWidth_centi_c)};
 }
 
 std::size_t step(std::size_t& next, std::size_t count) {
@@ -78,6 +68,23 @@ dk2::PatternReport pattern(std::size_t index) {
 }
 
 }  // namespace
+
+/// Where offsets were stored, each bin's first sample holds one, at its target.
+dk2::TemperatureReport FeatureBank::temperature_cell(std::size_t cell) const {
+    const auto bin = static_cast<std::uint8_t>(cell / kSamplesPerBin);
+    dk2::TemperatureReport report{
+        .bins = kBins,
+        .bin = bin,
+        .samples_per_bin = kSamplesPerBin,
+        .sample = static_cast<std::uint8_t>(cell % kSamplesPerBin),
+        .target_centi_c = static_cast<std::int16_t>(kFirstBin_centi_c + bin * kBinWidth_centi_c)};
+    if (!stored_offset_ || report.sample > 0) return report;
+    report.version = 2;
+    report.actual_centi_c = report.target_centi_c;
+    report.unix_time_s = kStored_unix_s;
+    report.gyro_offset = dk2::from_si(stored_offset_(0.01 * report.actual_centi_c));
+    return report;
+}
 
 bool FeatureBank::alive(HostTime now) const {
     return !config_.command_keep_alive ||

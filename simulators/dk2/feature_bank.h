@@ -2,6 +2,7 @@
 // The DK2's feature reports as its firmware keeps them (DEVICES.md 1.5, 1.6).
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "devices/dk2/calibration_reports.h"
@@ -14,8 +15,13 @@ namespace foverig {
 
 class FeatureBank {
   public:
-    /// A device that was plugged in at `now`, with the firmware's defaults.
-    explicit FeatureBank(HostTime now) : last_set_(now) {}
+    /// The gyro's offset at a temperature in degrees Celsius, as earlier hosts stored it.
+    using StoredOffset = std::function<dvec3(double)>;
+
+    /// A device that was plugged in at `now`, with the firmware's defaults. Without `stored` its
+    /// temperature table is empty.
+    explicit FeatureBank(HostTime now, StoredOffset stored = {})
+        : stored_offset_(std::move(stored)), last_set_(now) {}
 
     /// `report` is the whole report, id included. What the firmware would write to its memory for
     /// good (calibrations, positions, serials) is refused, and so is the way into its boot loader.
@@ -37,7 +43,9 @@ class FeatureBank {
 
   private:
     Result<std::vector<std::byte>> answer(std::uint8_t id);
+    dk2::TemperatureReport temperature_cell(std::size_t cell) const;
 
+    StoredOffset stored_offset_;
     HostTime last_set_;
     std::uint16_t last_command_id_ = 0;
     std::uint8_t input_report_ = 11;

@@ -55,6 +55,11 @@ double ImuModel::temperature_c(double running_s) const {
     return kWarm_c - (kWarm_c - kCold_c) * std::exp(-running_s / kWarmUp_s);
 }
 
+dvec3 ImuModel::gyro_bias_rad_s(double temperature_c) const {
+    return bias_rad_s_ +
+           glm::radians(faults_.temperature_drift) * (temperature_c - kCold_c) * drift_sign_;
+}
+
 dvec3 ImuModel::noise(std::uint64_t index, std::uint64_t stream, double sigma) const {
     const Draws draws(seed_, stream);
     return sigma *
@@ -64,11 +69,7 @@ dvec3 ImuModel::noise(std::uint64_t index, std::uint64_t stream, double sigma) c
 dvec3 ImuModel::gyro_errors(const dvec3& true_rad_s, std::uint64_t index, double running_s) {
     dvec3 omega = true_rad_s;
     if (faults_.scale > 0.0) omega = gyro_scale_ * omega;
-    if (faults_.bias > 0.0) omega += bias_rad_s_;
-    if (faults_.temperature_drift > 0.0) {
-        omega += glm::radians(faults_.temperature_drift) * (temperature_c(running_s) - kCold_c) *
-                 drift_sign_;
-    }
+    omega += gyro_bias_rad_s(temperature_c(running_s));
     if (faults_.random_walk > 0.0) {
         walk_rad_s_ += noise(index, kWalk, faults_.random_walk * std::sqrt(kSamplePeriod_s));
         omega += walk_rad_s_;

@@ -27,6 +27,8 @@ class ImuModel {
                               const dk2::RangeReport& range = {});
     /// Degrees Celsius, `running_s` after power-on.
     double temperature_c(double running_s) const;
+    /// What the gyro is off by at a temperature, but for what walks.
+    dvec3 gyro_bias_rad_s(double temperature_c) const;
 
   private:
     dvec3 gyro_errors(const dvec3& true_rad_s, std::uint64_t index, double running_s);

@@ -16,6 +16,7 @@ struct Dk2Faults {
     double bias = 0.0;               ///< deg/s, gyro, per axis
     double scale = 0.0;              ///< %, both sensors, per matrix element
     double temperature_drift = 0.0;  ///< deg/s per degree C, gyro
+    double temperature_table = 0.0;  ///< the headset has stored its gyro offsets by temperature
     double random_walk = 0.0;        ///< rad/s^2/sqrt(Hz), gyro bias
     double clock_drift = 0.0;        ///< ppm
     double clock_wander = 0.0;       ///< ppm, root mean square

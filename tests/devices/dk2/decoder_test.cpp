@@ -124,12 +124,26 @@ TEST(Dk2Decoder, Report1ContinuesTheTimeByCount) {
 
 TEST(Dk2Decoder, AppliesTheFactoryCalibration) {
     FactoryCalibration calibration;
-    calibration.gyro_offset_rad_s = {0.005, 0, 0};
+    calibration.gyro_offsets = GyroOffsets({0.005, 0, 0});
     calibration.gyro_from_raw[0] = dvec3(2, 0, 1);
     Dk2Decoder decoder(calibration);
     const auto out = decoded(decoder, report(0, 1, 1000));
     EXPECT_NEAR(out.samples[0].gyro_rad_s.x, 0.010, 1e-12);
     EXPECT_NEAR(out.samples[0].gyro_rad_s.z, 0.005, 1e-12);
+}
+
+TEST(Dk2Decoder, TakesTheOffsetOfTheChipsTemperature) {
+    FactoryCalibration calibration;
+    calibration.gyro_offsets =
+        GyroOffsets(dvec3(0),
+                    {{.version = 1, .bin = 0, .actual_centi_c = 2000, .gyro_offset = {10, 0, 0}},
+                     {.version = 1, .bin = 2, .actual_centi_c = 3000, .gyro_offset = {30, 0, 0}}},
+                    {});
+    Dk2Decoder decoder(calibration);
+    InputReport11 r = report(0, 1, 1000);
+    const double raw_rad_s = to_si(r.slots[0].gyro).x;
+    r.temperature_centi_c = 2750;
+    EXPECT_NEAR(decoded(decoder, r).samples[0].gyro_rad_s.x, raw_rad_s - 25e-4, 1e-12);
 }
 
 TEST(Dk2Decoder, SurvivesRandomPacketsOfBothFormats) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 #include "devices/dk2/about.h"
@@ -100,6 +101,28 @@ TEST(SimulatedDk2, WalksThroughItsTemperatureTableAndItsStages) {
         for (int stage = 0; stage < 10; ++stage) {
             EXPECT_EQ(dk2.get<dk2::ManufacturingReport>().stage, stage);
         }
+    }
+}
+
+// At rest the gyro says its bias alone, and the table says the same at that temperature.
+TEST(SimulatedDk2, HasStoredItsBiasByTemperatureWhereAsked) {
+    SimulatedDk2::Settings settings = with("temperature_table", 1.0, 3);
+    settings.faults.bias = 0.5;
+    settings.faults.temperature_drift = 0.05;
+    ManualClock clock;
+    const motion::StillHead still;
+    SimulatedDk2 device(clock, still, settings);
+    auto source = std::move(dk2::Dk2ImuSource::open(device, clock.now())).value();
+    const auto& offsets = source.calibration().gyro_offsets;
+    ASSERT_EQ(offsets.stored().size(), 7U);
+    ASSERT_TRUE(offsets.by_temperature());
+    for (int i = 0; i < 5000; ++i) {
+        const auto next = source.next(at(seconds(600)));
+        const auto* sample = std::get_if<ImuSample>(&next);
+        ASSERT_NE(sample, nullptr);
+        EXPECT_GT(glm::length(offsets.at(sample->temperature_c)), glm::radians(0.1));
+        // Half a unit of the sample's and of the table's, on three axes.
+        ASSERT_LE(glm::length(sample->gyro_rad_s), 1e-4 * std::sqrt(3.0));
     }
 }
 
