@@ -37,6 +37,11 @@ class Transport {
                                std::span<const std::byte> data) = 0;
     virtual Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
                                                        std::size_t size) = 0;
+    /// For a device that falls asleep unless it is spoken to: what reads it does this control_set
+    /// each `period` from now on, however long nobody calls `next`, also where it was unplugged and
+    /// came back. Without effect where nothing falls asleep.
+    virtual void keep_awake(std::uint8_t, std::span<const std::byte> /*data*/,
+                            Nanoseconds /*period*/) {}
 };
 
 }  // namespace foverig

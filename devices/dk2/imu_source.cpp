@@ -1,9 +1,6 @@
 #include "devices/dk2/imu_source.h"
 
-#include <algorithm>
-
 #include "devices/dk2/detail/get_report.h"
-#include "devices/dk2/feature_reports.h"
 
 namespace foverig::dk2 {
 namespace {
@@ -37,7 +34,6 @@ Dk2ImuSource::Dk2ImuSource(Transport& transport, HostTime now,
       calibration_(calibration),
       decoder_(calibration),
       clock_map_(config.clock_map),
-      next_keep_alive_(now + config.keep_alive_period),
       next_correction_(now) {}
 
 Result<Dk2ImuSource> Dk2ImuSource::open(Transport& transport, HostTime now,
@@ -79,8 +75,13 @@ Status Dk2ImuSource::set_up() {
     if (config_.light_leds) {
         if (auto status = set(*transport_, kBlinking, command_id_); !status) return status;
     }
-    return set(*transport_, KeepAliveMuxReport{.timeout_ms = config_.keep_alive_timeout_ms},
-               command_id_);
+    const KeepAliveMuxReport report = awake();
+    transport_->keep_awake(KeepAliveMuxReport::kId, report.encode(), config_.keep_alive_period);
+    return transport_->control_set(KeepAliveMuxReport::kId, 0, report.encode());
+}
+
+KeepAliveMuxReport Dk2ImuSource::awake() {
+    return {.command_id = ++command_id_, .timeout_ms = config_.keep_alive_timeout_ms};
 }
 
 /// A headset that comes back has forgotten what it was told.
@@ -94,20 +95,15 @@ void Dk2ImuSource::set_up_again(HostTime now) {
 
 Next<ImuSample> Dk2ImuSource::next(HostTime deadline) {
     while (ready_.empty()) {
-        const HostTime until = std::min(deadline, next_keep_alive_);
-        NextPacket got = transport_->next(until);
+        NextPacket got = transport_->next(deadline);
         if (const auto* packet = std::get_if<Packet>(&got)) {
             set_up_again(packet->arrival);
-            if (packet->arrival >= next_keep_alive_) keep_alive(packet->arrival);
             take(*packet);
         } else if (std::holds_alternative<Timeout>(got)) {
-            if (until >= next_keep_alive_) keep_alive(until);
-            if (until >= deadline) return Timeout{};
+            return Timeout{};
         } else if (auto* fault = std::get_if<Fault>(&got)) {
             was_gone_ = true;
             decoder_.expect_restart();
-            // Nobody is there to be kept awake; asking for the past would never find it again.
-            next_keep_alive_ = std::max(next_keep_alive_, deadline);
             return std::move(*fault);
         } else {
             return EndOfStream{};
@@ -124,7 +120,9 @@ void Dk2ImuSource::take(const Packet& packet) {
     if (is_report1 && packet.arrival >= next_correction_) {
         ++format_switches_;
         next_correction_ = packet.arrival + kCorrectionPause;
-        keep_alive(packet.arrival);
+        // Report 17 says which input report it wants, too.
+        const auto report17 = awake().encode();
+        if (!transport_->control_set(KeepAliveMuxReport::kId, 0, report17)) ++control_failures_;
     }
     if (!decoded) {
         ++counts_.rejected;
@@ -146,12 +144,6 @@ void Dk2ImuSource::take(const Packet& packet) {
     if (is_report1) return;
     note_panel(decoded->panel);
     note_exposure(decoded->exposure);
-}
-
-void Dk2ImuSource::keep_alive(HostTime now) {
-    const KeepAliveMuxReport awake{.timeout_ms = config_.keep_alive_timeout_ms};
-    if (!set(*transport_, awake, command_id_)) ++control_failures_;
-    next_keep_alive_ = now + config_.keep_alive_period;
 }
 
 void Dk2ImuSource::note_panel(PanelReadback panel) {

@@ -1,12 +1,13 @@
 #pragma once
-// The DK2 over a transport: Source<ImuSample>. Sets the device up, keeps it awake from the reader
-// (DEVICES.md 1.6), corrects a switch to report 1, and sets a headset up again that was unplugged.
-// One thread uses it; it has none of its own.
+// The DK2 over a transport: Source<ImuSample>. Sets the device up, has whatever reads it keep it
+// awake by report 17 (DEVICES.md 1.6), corrects a switch to report 1, and sets a headset up again
+// that was unplugged. One thread uses it; it has none of its own.
 #include <deque>
 #include <vector>
 
 #include "devices/clock_map.h"
 #include "devices/dk2/decoder.h"
+#include "devices/dk2/feature_reports.h"
 #include "devices/source.h"
 
 namespace foverig::dk2 {
@@ -26,7 +27,7 @@ class Dk2ImuSource {
 
     /// Reads the factory calibration and the gyro's offsets by temperature, takes them over from
     /// the device, selects report 11.
-    /// `transport` outlives the source; `now` starts the keep-alive.
+    /// `transport` outlives the source; no report came before `now`.
     static Result<Dk2ImuSource> open(Transport& transport, HostTime now,
                                      const ImuSourceConfig& config = {});
 
@@ -53,7 +54,7 @@ class Dk2ImuSource {
     Status set_up();
     void set_up_again(HostTime now);
     void take(const Packet& packet);
-    void keep_alive(HostTime now);
+    KeepAliveMuxReport awake();
     void note_panel(PanelReadback panel);
     void note_exposure(LedExposure exposure);
 
@@ -68,7 +69,6 @@ class Dk2ImuSource {
     std::uint16_t last_frame_count_ = 0;
     std::deque<LedExposure> exposures_;
     std::uint16_t last_exposure_count_ = 0;
-    HostTime next_keep_alive_{};
     HostTime next_correction_{};
     bool was_gone_ = false;
     HostTime next_set_up_{};  // where it was

@@ -5,15 +5,11 @@
 
 #include <array>
 
-#include "devices/dk2/feature_reports.h"
-
 namespace foverig::hardware {
 namespace {
 
 constexpr std::size_t kLargestInputReport = 64;
 constexpr int kWait_ms = 50;  // how soon the reader sees that it should stop
-// The source sets report 17 each 3 s while it is asked for samples; this is for when it is not.
-constexpr std::chrono::milliseconds kKeepAlivePeriod{3500};
 
 std::string ascii(const wchar_t* text) {
     std::string out;
@@ -72,16 +68,22 @@ Status HidLink::read(PacketQueue& packets) {
                                  path_, ascii(hid_error(input_.get())))};
     }
     if (size > 0) packets.push(Bytes(report).first(static_cast<std::size_t>(size)));
-    keep_alive();
+    keep_alive_if_due();
     return Done{};
 }
 
-void HidLink::keep_alive() {
+void HidLink::keep_awake(std::uint8_t, Bytes report, Nanoseconds period) {
+    const std::lock_guard lock(mutex_);
+    keep_alive_ = to_vector(report);
+    keep_alive_period_ = period;
+}
+
+void HidLink::keep_alive_if_due() {
     const std::unique_lock lock(mutex_, std::try_to_lock);
-    if (!lock || last_keep_alive_.empty()) return;  // locked: a report is being set just now
-    if (std::chrono::steady_clock::now() - last_set_ < kKeepAlivePeriod) return;
+    if (!lock || keep_alive_.empty()) return;  // locked: a report goes over just now
+    if (std::chrono::steady_clock::now() - last_set_ < keep_alive_period_) return;
     // A failure shows where it matters: reports stop. The next try is a period away either way.
-    (void)send(last_keep_alive_);
+    (void)send(keep_alive_);
 }
 
 Status HidLink::send(Bytes report) {
@@ -99,7 +101,6 @@ Status HidLink::control_set(std::uint8_t id, std::uint16_t, Bytes report) {
                      fmt::format("feature report {} does not start with its id", id)};
     }
     const std::lock_guard lock(mutex_);
-    if (id == dk2::KeepAliveMuxReport::kId) last_keep_alive_ = to_vector(report);
     return send(report);
 }
 

@@ -10,9 +10,7 @@ struct hid_device_;
 namespace foverig::hardware {
 
 /// Opened twice: one handle reads, the other carries feature reports, so that a slow control
-/// transfer holds no input report up. Repeats the last keep-alive (report 17) from the reader
-/// thread, so that a host which is busy for long does not let the headset fall asleep (DEVICES.md
-/// 1.6).
+/// transfer holds no input report up.
 class HidLink final : public Link {
   public:
     /// `device` as found; errors: forbidden, busy, closed, io.
@@ -23,6 +21,8 @@ class HidLink final : public Link {
     Status control_set(std::uint8_t id, std::uint16_t value, Bytes report) override;
     Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
                                                std::size_t size) override;
+    /// Any report that is set counts: the next keep-alive is `period` after the last of them.
+    void keep_awake(std::uint8_t id, Bytes report, Nanoseconds period) override;
 
   private:
     struct Close {
@@ -32,15 +32,16 @@ class HidLink final : public Link {
 
     HidLink(Handle input, Handle features, std::string path);
 
-    void keep_alive();
+    void keep_alive_if_due();
     Status send(Bytes report);
 
     Handle input_;
     std::string path_;
     std::mutex mutex_;  // of all below
     Handle features_;
-    std::vector<std::byte> last_keep_alive_;  // empty: the host never asked for one
-    std::chrono::steady_clock::time_point last_set_{};
+    std::vector<std::byte> keep_alive_;  // empty: nobody asked for it
+    Nanoseconds keep_alive_period_{};
+    std::chrono::steady_clock::time_point last_set_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace foverig::hardware

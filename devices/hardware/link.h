@@ -15,6 +15,8 @@ class Link {
     virtual Status control_set(std::uint8_t id, std::uint16_t value, Bytes data) = 0;
     virtual Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
                                                        std::size_t size) = 0;
+    /// As Transport's: `read` does it. Called as control_set is.
+    virtual void keep_awake(std::uint8_t, Bytes /*data*/, Nanoseconds /*period*/) {}
 };
 
 }  // namespace foverig::hardware

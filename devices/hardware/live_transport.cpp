@@ -44,6 +44,7 @@ std::shared_ptr<Link> LiveTransport::link() const {
 void LiveTransport::set_link(std::shared_ptr<Link> link) {
     const std::lock_guard lock(mutex_);
     link_.swap(link);
+    if (link_ && keep_awake_) keep_awake_(*link_);
 }
 
 void LiveTransport::read_until_stopped(const std::stop_token& stop) {
@@ -83,6 +84,15 @@ Result<std::vector<std::byte>> LiveTransport::control_get(std::uint8_t id, std::
     const auto device = link();
     if (!device) return unplugged();
     return device->control_get(id, value, size);
+}
+
+void LiveTransport::keep_awake(std::uint8_t id, std::span<const std::byte> data,
+                               Nanoseconds period) {
+    const std::lock_guard lock(mutex_);
+    keep_awake_ = [id, data = to_vector(data), period](Link& device) {
+        device.keep_awake(id, data, period);
+    };
+    if (link_) keep_awake_(*link_);
 }
 
 }  // namespace foverig::hardware

@@ -34,6 +34,7 @@ class LiveTransport final : public Transport {
                        std::span<const std::byte> data) override;
     Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
                                                std::size_t size) override;
+    void keep_awake(std::uint8_t id, std::span<const std::byte> data, Nanoseconds period) override;
 
   private:
     LiveTransport(const Clock& clock, Open open_link, std::shared_ptr<Link> link,
@@ -50,7 +51,8 @@ class LiveTransport final : public Transport {
     mutable std::mutex mutex_;
     std::condition_variable_any stopping_;
     std::shared_ptr<Link> link_;  // null while unplugged; a control transfer keeps its own
-    std::jthread reader_;         // last: stops first
+    std::function<void(Link&)> keep_awake_;  // empty: nobody asked for it
+    std::jthread reader_;                    // last: stops first
 };
 
 }  // namespace foverig::hardware

@@ -17,6 +17,10 @@ class RecordedTransport final : public Transport {
                        std::span<const std::byte> data) override;
     Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
                                                std::size_t size) override;
+    /// Passed on; what is sent of it later is not in the recording.
+    void keep_awake(std::uint8_t id, std::span<const std::byte> data, Nanoseconds period) override {
+        device_.keep_awake(id, data, period);
+    }
 
   private:
     void record(const ControlExchange& exchange);

@@ -33,8 +33,17 @@ void SimulatedDk2::plug_in(HostTime now) {
                                                             .poll_phase = settings_.poll_phase});
 }
 
+void SimulatedDk2::run_firmware(HostTime until) {
+    while (keep_alive_ && keep_alive_->due <= until) {
+        firmware_->advance(keep_alive_->due, wire_);
+        (void)firmware_->set(keep_alive_->report, keep_alive_->due);
+        keep_alive_->due += keep_alive_->period;
+    }
+    firmware_->advance(until, wire_);
+}
+
 void SimulatedDk2::advance(HostTime until) {
-    if (firmware_) firmware_->advance(std::min(until, unplugged_at_), wire_);
+    if (firmware_) run_firmware(std::min(until, unplugged_at_));
     if (until >= unplugged_at_) {
         firmware_.reset();
         unplugged_at_ = HostTime::max();
@@ -42,8 +51,9 @@ void SimulatedDk2::advance(HostTime until) {
     }
     if (until >= plugged_again_at_ && !fault_due_) {
         plug_in(plugged_again_at_);
+        if (keep_alive_) keep_alive_->due = plugged_again_at_ + keep_alive_->period;
         plugged_again_at_ = HostTime::max();
-        firmware_->advance(until, wire_);
+        run_firmware(until);
     }
 }
 
@@ -79,6 +89,11 @@ Status SimulatedDk2::control_set(std::uint8_t id, std::uint16_t, std::span<const
                      fmt::format("feature report {} does not start with its id", id)};
     }
     return firmware_->set(data, clock_.now());
+}
+
+void SimulatedDk2::keep_awake(std::uint8_t, std::span<const std::byte> data, Nanoseconds period) {
+    if (period <= Nanoseconds{0}) return;
+    keep_alive_ = KeepAlive{to_vector(data), period, clock_.now() + period};
 }
 
 Result<std::vector<std::byte>> SimulatedDk2::control_get(std::uint8_t id, std::uint16_t,

@@ -30,11 +30,21 @@ class SimulatedDk2 final : public Transport, public LedLight {
                        std::span<const std::byte> data) override;
     Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
                                                std::size_t size) override;
+    /// At the instants when it is due, whenever `next` is called after them.
+    void keep_awake(std::uint8_t id, std::span<const std::byte> data, Nanoseconds period) override;
     std::optional<LedFlash> flash_after(HostTime t) const override;
 
   private:
     void plug_in(HostTime now);
     void advance(HostTime until);
+    void run_firmware(HostTime until);
+
+    /// What LiveTransport's reader does for a headset on the desk.
+    struct KeepAlive {
+        std::vector<std::byte> report;
+        Nanoseconds period;
+        HostTime due;
+    };
 
     Clock& clock_;
     const motion::HeadMotion& head_;
@@ -42,6 +52,7 @@ class SimulatedDk2 final : public Transport, public LedLight {
     HostTime unplugged_at_{HostTime::max()}, plugged_again_at_{HostTime::max()};
     bool fault_due_ = false;                 // nobody was told yet that it was unplugged
     std::unique_ptr<Dk2Firmware> firmware_;  // null while unplugged
+    std::optional<KeepAlive> keep_alive_;
     ReportWire wire_;
 };
 

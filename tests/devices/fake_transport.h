@@ -21,6 +21,12 @@ class FakeTransport final : public Transport {
     std::function<Result<std::vector<std::byte>>(std::uint8_t, std::uint16_t)>
         answer_by;  ///< tried first
     std::vector<SetCall> sets;
+    struct KeepAwake {
+        std::uint8_t id;
+        std::vector<std::byte> data;
+        Nanoseconds period;
+    };
+    std::vector<KeepAwake> keep_awakes;
     std::vector<HostTime> deadlines;
     std::optional<Error> fault_at_end;
     bool end_at_end = false;
@@ -58,6 +64,10 @@ class FakeTransport final : public Transport {
         if (found == answers.end()) return Error{ErrorCode::unsupported, "no answer scripted"};
         if (found->second.size() != size) return Error{ErrorCode::io, "asked with the wrong size"};
         return found->second;
+    }
+
+    void keep_awake(std::uint8_t id, std::span<const std::byte> data, Nanoseconds period) override {
+        keep_awakes.push_back({id, {data.begin(), data.end()}, period});
     }
 
     int sets_of(std::uint8_t id) const {

@@ -130,5 +130,38 @@ TEST_F(Headset, ComesBackAndIsSetUpAgain) {
     EXPECT_EQ(headset->sets().size(), first_sets);
 }
 
+/// Whose session is at work for long and asks for nothing.
+TEST_F(Headset, IsKeptAwakeByTheThreadThatReadsIt) {
+    MockHeadset headset(bed_);
+    headset.answer(test::copy_of(dk2::FactoryCalibrationReport{}.encode()));
+    headset.answer(test::copy_of(dk2::ConfigReport{}.encode()));
+    headset.answer(test::copy_of(dk2::DisplayReport{}.encode()));
+    const auto device = open();
+    ASSERT_TRUE(device) << device.error().text;
+    const auto source = dk2::Dk2ImuSource::open(**device, clock_.now(),
+                                                {.keep_alive_period = Nanoseconds(10'000'000)});
+    ASSERT_TRUE(source) << source.error().text;
+    const auto set_up = headset.sets();
+    const HostTime deadline = soon();
+    while (headset.sets().size() < set_up.size() + 3 && clock_.now() < deadline)
+        std::this_thread::yield();
+    const auto sets = headset.sets();
+    ASSERT_GE(sets.size(), set_up.size() + 3);
+    EXPECT_EQ(dk2::KeepAliveMuxReport::decode(set_up.back())->timeout_ms, 10000);
+    for (std::size_t i = set_up.size(); i < sets.size(); ++i) EXPECT_EQ(sets[i], set_up.back());
+}
+
+/// Nobody asked for it.
+TEST_F(Headset, IsSentNothingUnasked) {
+    MockHeadset headset(bed_);
+    const auto device = open();
+    ASSERT_TRUE(device) << device.error().text;
+    for (int i = 0; i < 20; ++i) {
+        headset.send(kGolden);
+        ASSERT_TRUE(std::holds_alternative<Packet>((*device)->next(soon())));
+    }
+    EXPECT_TRUE(headset.sets().empty());
+}
+
 }  // namespace
 }  // namespace foverig::hardware

@@ -103,24 +103,21 @@ TEST(Dk2ImuSource, GivesHostTimesFreeOfPollingJitterAcrossTheWrap) {
     EXPECT_EQ(source.clock_map().resets(), 0u);
 }
 
-TEST(Dk2ImuSource, KeepsTheDeviceAwakeEachThreeSeconds) {
+/// Whoever reads the device keeps it awake: how often the source is asked says nothing.
+TEST(Dk2ImuSource, HasTheDeviceKeptAwakeEachThreeSecondsAndSendsNothingItself) {
     FakeTransport t;
     Dk2ImuSource source = open(t);
+    ASSERT_EQ(t.keep_awakes.size(), 1u);
+    EXPECT_EQ(t.keep_awakes[0].id, KeepAliveMuxReport::kId);
+    EXPECT_EQ(t.keep_awakes[0].period, 3000 * kMs);
+    EXPECT_EQ(t.keep_awakes[0].data, t.sets.back().data);
     t.sets.clear();
     for (int i = 0; i < 10000; ++i)
         t.push(at_ms(i), report(static_cast<std::uint16_t>(i), 1000u * (i + 1u)).encode());
     for (int i = 0; i < 10000; ++i) (void)source.next(at_ms(10000));
-    EXPECT_EQ(t.sets_of(KeepAliveMuxReport::kId), 3);
-    EXPECT_EQ(t.sets.size(), 3u);
-}
-
-TEST(Dk2ImuSource, KeepsTheDeviceAwakeWhileNothingArrives) {
-    FakeTransport t;
-    Dk2ImuSource source = open(t);
-    t.sets.clear();
-    EXPECT_TRUE(std::holds_alternative<Timeout>(source.next(at_ms(10000))));
-    EXPECT_EQ(t.sets_of(KeepAliveMuxReport::kId), 3);
-    EXPECT_EQ(t.deadlines.front(), at_ms(3000));
+    EXPECT_TRUE(std::holds_alternative<Timeout>(source.next(at_ms(30000))));
+    EXPECT_EQ(t.sets.size(), 0u);
+    EXPECT_EQ(t.deadlines.back(), at_ms(30000));
 }
 
 TEST(Dk2ImuSource, AnswersReport1WithKeepAliveMuxAndGoesOn) {
@@ -210,17 +207,21 @@ TEST(Dk2ImuSource, AHeadsetThatWasGoneBeginsAnewWhateverItsClockSays) {
             ASSERT_NE(sample, nullptr) << later_us << ", report " << i;
             EXPECT_EQ(sample->gap, i == 0);
         }
+        EXPECT_EQ(t.keep_awakes.size(), 2U) << "who comes back is to be kept awake, too";
         EXPECT_EQ(source.counts().reconnects, 1U) << later_us;
         EXPECT_EQ(source.counts().lost, 0U) << later_us;
         EXPECT_EQ(source.counts().rejected, 0U) << later_us;
     }
 }
 
-TEST(Dk2ImuSource, ARefusedKeepAliveIsCountedNotFatal) {
+TEST(Dk2ImuSource, ARefusedCorrectionIsCountedNotFatal) {
     FakeTransport t;
     Dk2ImuSource source = open(t);
     t.refuse_sets = true;
-    EXPECT_TRUE(std::holds_alternative<Timeout>(source.next(at_ms(3500))));
+    t.push(at_ms(1), report(1, 1000).encode());
+    t.push(at_ms(2), InputReport1{.sample_count = 2}.encode());
+    EXPECT_TRUE(std::holds_alternative<ImuSample>(source.next(at_ms(10))));
+    EXPECT_TRUE(std::holds_alternative<ImuSample>(source.next(at_ms(10))));
     EXPECT_EQ(source.control_failures(), 1u);
 }
 

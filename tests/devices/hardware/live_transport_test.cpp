@@ -70,6 +70,7 @@ TEST(PacketQueue, KeepsTheNewestWhenNobodyAsks) {
 /// Gives two packets, then is gone.
 class ShortLink final : public Link {
   public:
+    explicit ShortLink(std::atomic<int>* keep_awakes = nullptr) : keep_awakes_(keep_awakes) {}
     Status read(PacketQueue& packets) override {
         if (++reads_ > 2) return Error{ErrorCode::closed, "gone"};
         packets.push(kFirst);
@@ -79,8 +80,12 @@ class ShortLink final : public Link {
     Result<std::vector<std::byte>> control_get(std::uint8_t, std::uint16_t, std::size_t) override {
         return kSecond;
     }
+    void keep_awake(std::uint8_t id, Bytes data, Nanoseconds period) override {
+        if (id == 17 && data.size() == 1 && period == Nanoseconds(3)) ++*keep_awakes_;
+    }
 
   private:
+    std::atomic<int>* keep_awakes_;
     int reads_ = 0;
 };
 
@@ -106,6 +111,22 @@ TEST(LiveTransport, OpensItsDeviceAgainAndAgain) {
     }
     EXPECT_EQ(packets, 6);
     EXPECT_EQ(losses, 2);
+}
+
+/// Asked once; each link that is opened later is told.
+TEST(LiveTransport, KeepsWhatComesBackAwake) {
+    const WallClock clock;
+    std::atomic<int> keep_awakes = 0;
+    const auto open = [&]() -> Result<std::unique_ptr<Link>> {
+        return std::unique_ptr<Link>(new ShortLink(&keep_awakes));
+    };
+    const auto transport = LiveTransport::open(
+        clock, open, {.retry_period = Nanoseconds(1'000'000), .realtime = false});
+    ASSERT_TRUE(transport);
+    (*transport)->keep_awake(17, kFirst, Nanoseconds(3));
+    const HostTime deadline = clock.now() + Nanoseconds(10'000'000'000);
+    while (keep_awakes < 4 && clock.now() < deadline) (void)(*transport)->next(clock.now());
+    EXPECT_GE(keep_awakes, 4);
 }
 
 TEST(LiveTransport, SaysWhyItCannotOpen) {

@@ -198,6 +198,29 @@ TEST(SimulatedDk2, FallsSilentWhenTheKeepAliveRunsOutAndRevives) {
     EXPECT_GT(lost, 4500);
 }
 
+/// Asked once in 25 s, which is longer than the headset's time-out of 10 s.
+TEST(SimulatedDk2, ASlowConsumerDoesNotLetItFallAsleep) {
+    for (const bool unplugged : {false, true}) {
+        SimulatedDk2::Settings settings;
+        settings.faults.unplug_at = 30.0;
+        settings.faults.unplug_for = unplugged ? 1.0 : 0.0;
+        Dk2Bench dk2(settings);
+        auto source = std::move(dk2::Dk2ImuSource::open(dk2.device, dk2.clock.now())).value();
+        for (int asked = 1; asked <= 6; ++asked) {
+            dk2.clock.sleep_until(at(seconds(25 * asked)));
+            // A fault ends a reading; what came after it follows.
+            for (int reading = 0; reading < 2; ++reading) {
+                while (std::holds_alternative<ImuSample>(source.next(dk2.clock.now()))) {
+                }
+            }
+        }
+        EXPECT_EQ(source.counts().lost, 0u);
+        EXPECT_EQ(source.counts().reconnects, unplugged ? 1u : 0u);
+        // The sample at each end is polled a tenth of a millisecond after it.
+        EXPECT_EQ(source.counts().samples, unplugged ? 148998u : 149999u);
+    }
+}
+
 TEST(SimulatedDk2, StaysAwakeWithoutCommandKeepAlive) {
     Dk2Bench dk2;
     ASSERT_TRUE(dk2.set(dk2::ConfigReport{.command_keep_alive = false}));
