@@ -64,6 +64,7 @@ int run(int argc, char** argv) {
     register_hour();
     register_transport(bench);
     register_vsync(bench);
+    register_rig_latency(bench);
     add_context(o);
     if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;
     bench.results.write();

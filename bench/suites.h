@@ -30,5 +30,6 @@ void register_devices();
 void register_hour();
 void register_transport(Bench& bench);
 void register_vsync(Bench& bench);
+void register_rig_latency(Bench& bench);
 
 }  // namespace foverig::bench
