@@ -5,6 +5,8 @@
 namespace foverig {
 namespace {
 
+constexpr double kLikely_sigma = 4.0;  // beyond: one of the two moments was a steady turn
+
 double largest(const dvec3& v) {
     return glm::max(glm::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
 }
@@ -49,7 +51,13 @@ void GyroBias::learn_slope(const Moment& later) {
     const double variance =
         2 * config_.mean_sigma_rad_s * config_.mean_sigma_rad_s +
         config_.walk_rad_s_sqrt_s * config_.walk_rad_s_sqrt_s * (later.time_s - learnt_.time_s);
-    slope_sum_ += warmth_c / variance * (later.rad_s - learnt_.rad_s);
+    const dvec3 gained_rad_s = later.rad_s - learnt_.rad_s;
+    const double by_slope_rad_s = warmth_c * config_.slope_sigma_rad_s_c;
+    if (largest(gained_rad_s) >
+        kLikely_sigma * std::sqrt(variance + by_slope_rad_s * by_slope_rad_s)) {
+        return;
+    }
+    slope_sum_ += warmth_c / variance * gained_rad_s;
     slope_information_ += warmth_c * warmth_c / variance;
 }
 

@@ -125,6 +125,20 @@ TEST(GyroBias, AHardlyWarmerChipTeachesHardlyASlope) {
     EXPECT_LT(glm::length(bias.slope_rad_s_c()), 1.4e-3);
 }
 
+// A slow turn about the vertical is taken for rest, and its rate for an offset; a chip that is a
+// tenth of a degree warmer cannot have moved by 1 deg/s.
+TEST(GyroBias, ATurnThatIsTakenForRestTeachesNoSlope) {
+    GyroBias bias;
+    test::Random random(6);
+    rest(bias, random, 6001);
+    const dvec3 learnt_rad_s = bias.offset_rad_s(kCold_c);
+    for (int i = 0; i < 6001; ++i)
+        bias.add(kOffset_rad_s + glm::radians(dvec3(0, 1, 0)) + noise(random, kGyroNoise_rad_s),
+                 kUpright_m_s2 + noise(random, kAccelNoise_m_s2), kCold_c + 0.1, 1e-3);
+    EXPECT_GT(glm::distance(bias.offset_rad_s(kCold_c + 0.1), learnt_rad_s), glm::radians(0.9));
+    EXPECT_LT(glm::length(bias.slope_rad_s_c()), 1e-9);
+}
+
 TEST(GyroBias, LearnsNoSlopeWhereItMayNot) {
     GyroBias bias(GyroBiasConfig{.slope_sigma_rad_s_c = 0});
     test::Random random(3);
