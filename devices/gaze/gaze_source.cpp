@@ -30,6 +30,38 @@ GazeTime time_of(std::uint64_t ns) {
     return GazeTime(Nanoseconds(static_cast<std::int64_t>(ns)));
 }
 
+/// "60, 250 Hz".
+std::string rates_text(std::uint16_t rates) {
+    std::string text;
+    for (const std::uint16_t rate_hz : std::initializer_list<std::uint16_t>{60, 120, 250}) {
+        if ((rates & rate_bit(rate_hz)) == 0) continue;
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", rate_hz);
+    }
+    return text.empty() ? "none that SGZ1 knows" : text + " Hz";
+}
+
+template <class T>
+std::vector<T> taken(std::deque<T>& kept) {
+    std::vector<T> all(kept.begin(), kept.end());
+    kept.clear();
+    return all;
+}
+
+std::optional<Error> unfit(const StoredCalibration& calibration, const Info& info) {
+    if (calibration.serial != info.serial) {
+        return Error{ErrorCode::invalid_data,
+                     fmt::format("the calibration is of tracker {}, and this is {}; calibrate this "
+                                 "one (foverig calibrate)",
+                                 calibration.serial, info.serial)};
+    }
+    if ((info.capabilities & capability::save_calibration) == 0) {
+        return Error{ErrorCode::unsupported,
+                     "the tracker takes no calibration from a file; calibrate it each time that it "
+                     "is plugged in (foverig calibrate)"};
+    }
+    return std::nullopt;
+}
+
 bool times_are_sane(const SampleFrame& f) {
     return f.exposure_ns <= f.header.queued_ns;
 }
@@ -57,7 +89,11 @@ Result<GazeSource> GazeSource::open(Transport& transport, const Clock& clock,
     }
     if ((info->rates & rate_bit(config.rate_hz)) == 0) {
         return Error{ErrorCode::unsupported,
-                     fmt::format("gaze tracker has no rate of {} Hz", config.rate_hz)};
+                     fmt::format("the tracker has no rate of {} Hz; expected one of its own: {}",
+                                 config.rate_hz, rates_text(info->rates))};
+    }
+    if (config.calibration) {
+        if (auto reason = unfit(*config.calibration, *info)) return *reason;
     }
     GazeSource source(transport, clock, *info, config);
     if (auto s = source.set_up(); !s) return s.error();
@@ -75,6 +111,10 @@ Status GazeSource::set_up() {
             transport_->control_set(request::set_mapping, 0, encode_mapping(config_.mapping_mm));
         !s)
         return s;
+    if (config_.calibration) {
+        if (auto s = transport_->control_set(request::cal_blob, 0, config_.calibration->blob); !s)
+            return s;
+    }
     return transport_->control_set(request::start, 0, {});
 }
 
@@ -149,7 +189,8 @@ void GazeSource::take(const Packet& packet) {
         events_.push_back(*event);
         if (events_.size() > kKeptEvents) events_.pop_front();
     } else if (const auto* calibration = std::get_if<CalibrationFrame>(&*frame)) {
-        last_calibration_ = *calibration;
+        calibrations_.push_back(*calibration);
+        if (calibrations_.size() > kKeptEvents) calibrations_.pop_front();
     }
 }
 
@@ -201,9 +242,11 @@ void GazeSource::sync_time() {
 }
 
 std::vector<EventFrame> GazeSource::take_events() {
-    std::vector<EventFrame> taken(events_.begin(), events_.end());
-    events_.clear();
-    return taken;
+    return taken(events_);
+}
+
+std::vector<CalibrationFrame> GazeSource::take_calibrations() {
+    return taken(calibrations_);
 }
 
 }  // namespace foverig::gaze

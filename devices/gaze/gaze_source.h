@@ -14,11 +14,18 @@
 
 namespace foverig::gaze {
 
+/// A calibration that the host keeps for a tracker.
+struct StoredCalibration {
+    std::string serial;           ///< of the tracker that it is for
+    std::vector<std::byte> blob;  ///< CAL_GET's answer, as CAL_SET takes it
+};
+
 struct GazeSourceConfig {
-    std::uint16_t rate_hz = 60;                 ///< 60, 120 or 250, where the device has it
-    std::uint32_t options = option::events;     ///< SET_OPTIONS bits
-    float mapping_mm = 1500;                    ///< +infinity: at the vergence distance
-    Nanoseconds time_sync_period{250'000'000};  ///< one GET_TIME round trip each
+    std::uint16_t rate_hz = 60;                      ///< 60, 120 or 250, where the device has it
+    std::uint32_t options = option::events;          ///< SET_OPTIONS bits
+    float mapping_mm = 1500;                         ///< +infinity: at the vergence distance
+    std::optional<StoredCalibration> calibration{};  ///< set before each START; none: its own
+    Nanoseconds time_sync_period{250'000'000};       ///< one GET_TIME round trip each
     ClockMapConfig clock_map{.window = Nanoseconds{1'000'000'000}, .windows = 30};
 };
 
@@ -26,8 +33,8 @@ class GazeSource {
   public:
     using Sample = GazeSample;
 
-    /// Checks the version, sets rate, options and mapping, starts a session. `transport` and
-    /// `clock` outlive the source; the clock stamps GET_TIME round trips.
+    /// Checks the version, sets rate, options, mapping and calibration, starts a session.
+    /// `transport` and `clock` outlive the source; the clock stamps GET_TIME round trips.
     static Result<GazeSource> open(Transport& transport, const Clock& clock,
                                    const GazeSourceConfig& config = {});
 
@@ -36,7 +43,9 @@ class GazeSource {
 
     /// Events since the last call; the newest 64 are kept.
     std::vector<EventFrame> take_events();
-    const std::optional<CalibrationFrame>& last_calibration() const { return last_calibration_; }
+    /// What the tracker said of calibration and validation since the last call; the newest 64 are
+    /// kept. They came before the sample that `next` gave last.
+    std::vector<CalibrationFrame> take_calibrations();
 
     /// rejected: damaged, foreign, duplicate or late transfers. A damaged frame is also a lost one.
     SourceCounts counts() const { return counts_; }
@@ -68,7 +77,7 @@ class GazeSource {
     std::optional<std::uint32_t> last_camera_frame_;
     std::deque<GazeSample> ready_;
     std::deque<EventFrame> events_;
-    std::optional<CalibrationFrame> last_calibration_;
+    std::deque<CalibrationFrame> calibrations_;
     std::deque<Nanoseconds> round_trips_;
     HostTime next_sync_{};
     std::optional<HostTime> next_set_up_;  // the tracker was gone: when to try

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "devices/crc32.h"
@@ -11,6 +12,8 @@ namespace foverig::gaze {
 namespace {
 
 using Out = std::span<std::byte>;
+
+constexpr std::uint32_t kCalibrationMagic = 0x435A4753;  // "SGZC"
 
 Error bad_payload(std::string_view name, std::string text) {
     return {ErrorCode::invalid_data, fmt::format("gaze {}: {}", name, text)};
@@ -149,6 +152,29 @@ Result<float> decode_mapping(Bytes b) {
     const float distance_mm = read_f32(b, 0);
     if (!(distance_mm > 0)) return bad_payload("SET_MAPPING", "distance is not above 0 mm");
     return distance_mm;
+}
+
+Result<CalibrationBlob> CalibrationBlob::decode(Bytes b) {
+    if (auto reason = wrong_size_or_crc("calibration", b, kSize)) return *reason;
+    if (read_u32(b, 0) != kCalibrationMagic) {
+        return bad_payload("calibration", "magic is not SGZC");
+    }
+    const std::size_t length = read_u16(b, 4);
+    if (length > kMostData) {
+        return bad_payload("calibration",
+                           fmt::format("{} bytes of data, expected at most {}", length, kMostData));
+    }
+    return CalibrationBlob{.id = read_u16(b, 6), .data = to_vector(b.subspan(8, length))};
+}
+
+std::array<std::byte, CalibrationBlob::kSize> CalibrationBlob::encode() const {
+    std::array<std::byte, kSize> b{};
+    write_u32(b, 0, kCalibrationMagic);
+    write_u16(b, 4, static_cast<std::uint16_t>(data.size()));
+    write_u16(b, 6, id);
+    std::copy(data.begin(), data.end(), b.begin() + 8);
+    finish(b);
+    return b;
 }
 
 std::vector<std::byte> encode_targets(std::span<const Vec2f> por_px) {

@@ -20,14 +20,19 @@ constexpr std::uint8_t get_info = 0x01, get_status = 0x02, get_time = 0x03, star
 }
 constexpr std::uint16_t kResetKey = 0xA5A5;  ///< wValue of RESET
 
+/// Bits of Info::capabilities.
+namespace capability {
+constexpr std::uint32_t events = 1, openness = 2, save_calibration = 4, dynamic_mapping = 8,
+                        simulator = 16;
+}
+
 /// GET_INFO.
 struct Info {
     static constexpr std::size_t kSize = 64;
 
     std::uint8_t major = 1, minor = 0;
     std::uint16_t rates = 0b001;  ///< bit 0: 60, bit 1: 120, bit 2: 250 Hz
-    std::uint32_t capabilities =
-        0;  ///< bits: events, openness, save calibration, dynamic mapping, simulator
+    std::uint32_t capabilities = 0;
     std::string serial{}, firmware{};  ///< up to 16 ASCII characters
     std::uint16_t display_width_px = 1920, display_height_px = 1080;
     std::uint32_t clock_hz = 1000000000;
@@ -45,7 +50,7 @@ struct DeviceStatus {
     static constexpr std::size_t kSize = 32;
 
     DeviceState state = DeviceState::idle;
-    std::uint8_t last_error = 0;
+    std::uint8_t last_error = 0;  ///< ours: CalibrationReason of the last point that was refused
     std::uint16_t rate_decihertz = 600;
     std::uint32_t session = 0, sent = 0, dropped = 0;
     std::uint16_t calibration_id = 0;
@@ -80,6 +85,22 @@ Result<std::uint32_t> decode_options(Bytes bytes);
 /// SET_MAPPING: mm, more than 0; +infinity maps at the vergence distance.
 std::array<std::byte, 4> encode_mapping(float distance_mm);
 Result<float> decode_mapping(Bytes bytes);
+
+/// CAL_GET and CAL_SET: a calibration as the tracker keeps it, which only the tracker understands.
+struct CalibrationBlob {
+    static constexpr std::size_t kSize = 512;
+    static constexpr std::size_t kMostData = kSize - 12;  ///< without magic, length, id and CRC
+
+    std::uint16_t id = 0;
+    std::vector<std::byte> data{};  ///< at most kMostData
+
+    static Result<CalibrationBlob> decode(Bytes bytes);
+    std::array<std::byte, kSize> encode() const;
+    bool operator==(const CalibrationBlob&) const = default;
+};
+
+/// Points that CAL_START may be asked for; 0 forgets the calibration.
+constexpr std::array<int, 6> kCalibrationPoints{0, 1, 3, 5, 9, 13};
 
 /// Targets of CAL_START, CAL_ACCEPT and VALIDATE: pairs of POR px.
 std::vector<std::byte> encode_targets(std::span<const Vec2f> por_px);

@@ -65,6 +65,10 @@ constexpr std::array kFaults{
               field<&F::gaze, &G::offset>},
     FaultInfo{"gaze", "crosstalk", "deg", "quadratic error at 20 degrees", 0.5, 0.0, 20.0,
               field<&F::gaze, &G::crosstalk>},
+    FaultInfo{
+        "gaze", "user", "x",
+        "the user's eyes against the tracker's model: kappa, gain, roll; it starts uncalibrated",
+        1.0, 0.0, 2.0, field<&F::gaze, &G::user>},
     FaultInfo{"gaze", "slip", "deg/min", "slow slip of the headset", 0.1, 0.0, 60.0,
               field<&F::gaze, &G::slip>},
     FaultInfo{"gaze", "latency_jitter", "ms", "spread of the tracker's 12 ms, up to 30 ms", 1.5,

@@ -36,6 +36,7 @@ struct GazeFaults {
     double noise = 0.0;           ///< deg, standard deviation per eye at the centre
     double offset = 0.0;          ///< deg, standard deviation per axis and eye
     double crosstalk = 0.0;       ///< deg at 20 degrees of eccentricity, quadratic
+    double user = 0.0;            ///< times what sets a person's eyes apart (gaze/user_eye.h)
     double slip = 0.0;            ///< deg per minute
     double latency_jitter = 0.0;  ///< ms
     double dropout = 0.0;         ///< chance that a frame is lost on the wire

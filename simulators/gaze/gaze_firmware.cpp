@@ -23,8 +23,13 @@ GazeFirmware::GazeFirmware(const Settings& settings)
               .drift_ppm = settings.faults.clock_drift},
              settings.seed),
       tracker_(*settings.eyes, settings.faults, settings.seed) {
-    status_.calibration_id = 1;
+    if (settings.faults.user > 0.0) return;  // a person whom it does not know
+    calibrations_ = status_.calibration_id = 1;
     status_.calibration_points = 5;
+}
+
+bool GazeFirmware::running() const {
+    return status_.state == DeviceState::streaming || status_.state == DeviceState::calibrating;
 }
 
 /// The cameras run on the device's clock, so a fast clock exposes early.
@@ -43,10 +48,11 @@ Nanoseconds GazeFirmware::latency(std::uint64_t index) const {
 }
 
 HostTime GazeFirmware::next_event() const {
-    if (status_.state != DeviceState::streaming) return HostTime::max();
+    if (!running()) return HostTime::max();
     HostTime next = std::min(exposure_time(exposures_), next_heartbeat_);
     if (!measured_.empty()) next = std::min(next, measured_.front().at);
     if (clock_jump_at_) next = std::min(next, *clock_jump_at_);
+    if (!told_.empty()) next = std::min(next, told_.front().at);
     return next;
 }
 
@@ -55,6 +61,8 @@ void GazeFirmware::advance(HostTime until, std::deque<Packet>& wire) {
         if (clock_jump_at_ && *clock_jump_at_ == now) {
             clock_jump_at_.reset();
             jump_clock(from_seconds(1e-3 * settings_.faults.time_jump));
+        } else if (!told_.empty() && told_.front().at == now) {
+            queue_calibration(wire);
         } else if (!measured_.empty() && measured_.front().at == now) {
             queue_sample(wire);
         } else if (next_heartbeat_ == now) {
@@ -92,10 +100,12 @@ void GazeFirmware::expose() {
         frame.mapping_distance_mm = frame.vergence_distance_mm;
         frame.status |= gaze::sample_status::dynamic_mapping;
     }
+    if (points_) frame.status |= gaze::sample_status::calibrating;
+    if (status_.calibration_id == 0) frame.status |= gaze::sample_status::uncalibrated;
     frame.calibration_id = status_.calibration_id;
     frame.calibration_points = status_.calibration_points;
     frame.calibration_quality = status_.calibration_quality;
-    measured_.push_back({queue_at, frame});
+    measured_.push_back({queue_at, frame, {.exposed = now, .gaze_deg = tracker_.raw_deg()}});
 }
 
 gaze::FrameHeader GazeFirmware::header(HostTime queued_at) {
@@ -116,6 +126,7 @@ void GazeFirmware::queue_sample(std::deque<Packet>& wire) {
     measured_.pop_front();
     queued.frame.header = header(queued.at);
     ++status_.sent;
+    follow_points(queued);
     auto bytes = to_vector(queued.frame.encode());
     const auto ordered = [](int& count) { return count > 0 && count-- > 0; };
     const bool dropped = ordered(orders_.drop) || happens(settings_.faults.dropout, kDropped);
@@ -134,6 +145,13 @@ void GazeFirmware::queue_heartbeat(std::deque<Packet>& wire) {
     frame.samples_sent = status_.sent;
     send(to_vector(frame.encode()), next_heartbeat_, wire);
     next_heartbeat_ += kHeartbeatPeriod;
+}
+
+void GazeFirmware::queue_calibration(std::deque<Packet>& wire) {
+    QueuedCalibration queued = told_.front();
+    told_.pop_front();
+    queued.frame.header = header(queued.at);
+    send(to_vector(queued.frame.encode()), queued.at, wire);
 }
 
 void GazeFirmware::send(std::vector<std::byte> bytes, HostTime queued_at,

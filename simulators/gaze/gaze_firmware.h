@@ -9,6 +9,7 @@
 #include "devices/gaze/requests.h"
 #include "devices/transport.h"
 #include "simulators/faults/device_clock.h"
+#include "simulators/gaze/point_procedure.h"
 #include "simulators/gaze/tracker_model.h"
 
 namespace foverig {
@@ -40,6 +41,11 @@ class GazeFirmware {
     struct Queued {
         HostTime at;
         gaze::SampleFrame frame;
+        PointProcedure::Sight raw;
+    };
+    struct QueuedCalibration {
+        HostTime at;
+        gaze::CalibrationFrame frame;
     };
     /// SIM_FAULT's orders that are still to be carried out.
     struct Orders {
@@ -47,12 +53,26 @@ class GazeFirmware {
         HostTime eyes_lost_until{};
     };
 
+    static Error stall(const std::string& why);
+    bool running() const;
     Status start(HostTime now);
+    void stop();
     Status set_rate(std::uint16_t hz);
     Status order(const gaze::SimFault& fault, HostTime now);
+    Status start_calibration(std::uint16_t points, Bytes data, HostTime now);
+    Status validate(std::uint16_t points, Bytes data, HostTime now);
+    Status accept_point(Bytes data, HostTime now);
+    Status abort_points(HostTime now);
+    Status set_calibration(Bytes data);
+    gaze::CalibrationBlob calibration() const;
+    void begin_points(PointProcedure::Kind kind, std::vector<gaze::Vec2f> targets_px, HostTime now);
+    void forget_calibration();
+    void follow_points(const Queued& queued);
+    void tell_points(HostTime now);
     void expose();
     void queue_sample(std::deque<Packet>& wire);
     void queue_heartbeat(std::deque<Packet>& wire);
+    void queue_calibration(std::deque<Packet>& wire);
     void jump_clock(Nanoseconds step);
     HostTime exposure_time(std::uint64_t index) const;
     Nanoseconds latency(std::uint64_t index) const;
@@ -73,6 +93,9 @@ class GazeFirmware {
     HostTime started_{}, next_heartbeat_{};
     std::optional<HostTime> clock_jump_at_;
     std::deque<Queued> measured_;  // on their way through the tracker
+    std::optional<PointProcedure> points_;
+    std::uint16_t calibrations_ = 0;  // ids given out
+    std::deque<QueuedCalibration> told_;
 };
 
 }  // namespace foverig

@@ -7,19 +7,20 @@ namespace foverig {
 namespace {
 
 using gaze::DeviceState;
+namespace capability = gaze::capability;
 namespace request = gaze::request;
 
 constexpr auto kTimeJumpAfter = std::chrono::seconds(5);
 constexpr std::uint64_t kSessionStream = 820;
 
-Error stall(const std::string& why) {
+}  // namespace
+
+Error GazeFirmware::stall(const std::string& why) {
     return {ErrorCode::unsupported, "the simulated gaze tracker stalls: " + why};
 }
 
-}  // namespace
-
 Status GazeFirmware::start(HostTime now) {
-    if (status_.state == DeviceState::streaming) return stall("START while streaming");
+    if (running()) return stall("START while streaming");
     ++sessions_;
     status_.state = DeviceState::streaming;
     // A device that was plugged in anew does not draw the same numbers again.
@@ -38,8 +39,15 @@ Status GazeFirmware::start(HostTime now) {
     return Done{};
 }
 
+void GazeFirmware::stop() {
+    status_.state = DeviceState::idle;
+    measured_.clear();
+    points_.reset();
+    told_.clear();
+}
+
 Status GazeFirmware::set_rate(std::uint16_t hz) {
-    if (status_.state == DeviceState::streaming) return stall("SET_RATE while streaming");
+    if (running()) return stall("SET_RATE while streaming");
     if (hz != 60 && hz != 120 && hz != 250) {
         return stall(fmt::format("SET_RATE {}; expected 60, 120 or 250", hz));
     }
@@ -75,8 +83,7 @@ Status GazeFirmware::set(std::uint8_t id, std::uint16_t value, Bytes data, HostT
         case request::start:
             return start(now);
         case request::stop:
-            status_.state = DeviceState::idle;
-            measured_.clear();
+            stop();
             return Done{};
         case request::set_rate:
             return set_rate(value);
@@ -92,6 +99,16 @@ Status GazeFirmware::set(std::uint8_t id, std::uint16_t value, Bytes data, HostT
             status_.mapping_mm = *mapping_mm;
             return Done{};
         }
+        case request::cal_start:
+            return start_calibration(value, data, now);
+        case request::cal_accept:
+            return accept_point(data, now);
+        case request::cal_abort:
+            return abort_points(now);
+        case request::cal_blob:
+            return set_calibration(data);
+        case request::validate:
+            return validate(value, data, now);
         case request::sim_fault: {
             const auto fault = gaze::SimFault::decode(data);
             if (!fault) return fault.error();
@@ -108,7 +125,8 @@ Result<std::vector<std::byte>> GazeFirmware::get(std::uint8_t id, std::uint16_t 
         case request::get_info:
             return to_vector(
                 gaze::Info{.rates = 0b111,
-                           .capabilities = 0b11010,  // openness, dynamic mapping, simulator
+                           .capabilities = capability::openness | capability::save_calibration |
+                                           capability::dynamic_mapping | capability::simulator,
                            .serial = "FOVERIGSIM000001",
                            .firmware = "simulated",
                            .nominal_latency_us = 12000}
@@ -119,6 +137,8 @@ Result<std::vector<std::byte>> GazeFirmware::get(std::uint8_t id, std::uint16_t 
             return to_vector(gaze::DeviceTimeReply{
                 .device_ns = static_cast<std::uint64_t>(clock_.at_ns(now)), .cookie = value}
                                  .encode());
+        case request::cal_blob:
+            return to_vector(calibration().encode());
         default:
             return stall(fmt::format("IN request {:#04x}", id));
     }

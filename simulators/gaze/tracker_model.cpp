@@ -83,6 +83,9 @@ TrackerModel::TrackerModel(const motion::EyeMotion& eyes, const GazeFaults& faul
                            std::uint64_t seed)
     : eyes_(eyes), faults_(faults), noise_(seed, 800) {
     if (faults.blink > 0.0) blinking_.emplace(eyes, seed, faults.blink);
+    if (faults.user > 0.0) {
+        user_ = {UserEye(Side::left, seed, faults.user), UserEye(Side::right, seed, faults.user)};
+    }
     const motion::Draws draws(seed, 801);
     for (std::size_t eye = 0; eye < 2; ++eye) {
         offset_deg_[eye] = faults.offset * dvec2(draws.normal(2 * eye), draws.normal(2 * eye + 1));
@@ -134,6 +137,7 @@ TrackerModel::Gaze TrackerModel::measured_deg(const Gaze& true_deg, double ecc_d
     if (faults_.noise > 0.0) step_noise(ecc_deg, index);
     Gaze measured = true_deg;
     for (std::size_t eye = 0; eye < 2; ++eye) {
+        if (user_) measured[eye] = (*user_)[eye].seen_deg(true_deg[eye]);
         measured[eye] += noise_deg_[eye] + systematic_error_deg(eye, true_deg[eye], t_s);
     }
     return measured;
@@ -145,12 +149,19 @@ SampleFrame TrackerModel::measure(double t_s, double rate_hz, bool low_pass, boo
     const Gaze true_eye_deg{motion::gaze_of(eye_direction(Side::left, state)),
                             motion::gaze_of(eye_direction(Side::right, state))};
     Gaze eye_deg = measured_deg(true_eye_deg, glm::length(true_deg), t_s, samples_++);
+    raw_deg_.reset();
     if (lost) return unseen_sample(gaze::EyeCause::simulated_fault, state.openness);
     if (state.openness < kInvalidBelow) return unseen_sample(gaze::EyeCause::blink, state.openness);
 
     const bool lid_moves = state.openness < 1.0 && near_blink(t_s, 1.0 / rate_hz);
     if (lid_moves) {
         for (dvec2& gaze_deg : eye_deg) gaze_deg.y -= kLidPull_deg;
+    }
+    if (!lid_moves) raw_deg_ = eye_deg;
+    if (maps_) {
+        for (std::size_t eye = 0; eye < 2; ++eye) {
+            eye_deg[eye] = (*maps_)[eye].corrected_deg(eye_deg[eye]);
+        }
     }
     if (low_pass) smooth(eye_deg, rate_hz);
     const dvec2 error_deg = 0.5 * (eye_deg[0] - true_eye_deg[0] + eye_deg[1] - true_eye_deg[1]);

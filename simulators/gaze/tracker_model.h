@@ -1,13 +1,15 @@
 #pragma once
-// From the eyes' true motion to what an SMI-style tracker measures (DEVICES.md 5.4, 5.5). With no
-// fault named, the sample is the truth.
+// From the eyes' true motion to what an SMI-style tracker measures (DEVICES.md 5.4, 5.5), and what
+// a calibration makes of that. With no fault named, the sample is the truth.
 #include <array>
 #include <cstdint>
 #include <optional>
 
 #include "devices/gaze/frames.h"
 #include "simulators/faults/faults.h"
+#include "simulators/gaze/calibration_map.h"
 #include "simulators/gaze/tracker_geometry.h"
+#include "simulators/gaze/user_eye.h"
 #include "simulators/motion/blinks.h"
 #include "simulators/motion/random.h"
 
@@ -27,9 +29,16 @@ class TrackerModel {
     /// counters are the caller's. `lost`: the tracker sees no eye.
     gaze::SampleFrame measure(double t_s, double rate_hz, bool low_pass, bool lost);
 
-  private:
     using Gaze = std::array<dvec2, 2>;  ///< degrees, left and right
+    /// Of the last exposure, before any calibration; absent where the eyes were not seen well.
+    const std::optional<Gaze>& raw_deg() const { return raw_deg_; }
 
+    using Maps = std::array<CalibrationMap, 2>;  ///< left, right
+    /// From the next exposure on; none: what is measured is sent.
+    void calibrate(const std::optional<Maps>& maps) { maps_ = maps; }
+    const std::optional<Maps>& maps() const { return maps_; }
+
+  private:
     motion::EyeState state_at(double t_s) const;
     bool near_blink(double t_s, double period_s) const;
     Gaze measured_deg(const Gaze& true_deg, double ecc_deg, double t_s, std::uint64_t index);
@@ -39,6 +48,9 @@ class TrackerModel {
 
     const motion::EyeMotion& eyes_;
     std::optional<motion::BlinkingEye> blinking_;
+    std::optional<std::array<UserEye, 2>> user_;
+    std::optional<Maps> maps_;
+    std::optional<Gaze> raw_deg_;
     GazeFaults faults_;
     motion::Draws noise_;
     Gaze noise_deg_{};

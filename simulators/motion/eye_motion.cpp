@@ -1,17 +1,15 @@
 #include "simulators/motion/eye_motion.h"
 
-#include <cmath>
+#include "devices/gaze_angles.h"
 
 namespace foverig::motion {
 
 dvec3 direction_of(const dvec2& gaze_deg) {
-    const double x = glm::radians(gaze_deg.x), y = glm::radians(gaze_deg.y);
-    return {std::sin(x) * std::cos(y), std::sin(y), -std::cos(x) * std::cos(y)};
+    return gaze_direction(gaze_deg);
 }
 
 dvec2 gaze_of(const dvec3& d) {
-    return {glm::degrees(std::atan2(d.x, -d.z)),
-            glm::degrees(std::atan2(d.y, std::hypot(d.x, d.z)))};
+    return gaze_angles_deg(d);
 }
 
 }  // namespace foverig::motion

@@ -4,18 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "simulators/motion/drift.h"
+
 namespace foverig::motion {
 namespace {
 
-constexpr double kDriftLow_hz = 0.3, kDriftHigh_hz = 40.0;
-constexpr int kDriftSines = 32;
 constexpr double kSmallestSaccade_deg = 1.0;  // anything smaller is a micro-saccade
-
-/// A random walk of diffusion D has a rate of flat one-sided density 4 D.
-BandNoise drift(std::uint64_t seed, std::uint64_t stream, double arcmin2_s) {
-    const double rms_deg_s = std::sqrt(4.0 * arcmin2_s * (kDriftHigh_hz - kDriftLow_hz)) / 60.0;
-    return BandNoise(Draws(seed, stream), kDriftLow_hz, kDriftHigh_hz, rms_deg_s, kDriftSines);
-}
 
 dvec2 next_target(const Draws& draws, std::uint64_t index, const dvec2& from_deg, double sigma) {
     for (std::uint64_t attempt = 0;; ++attempt) {
@@ -32,8 +26,8 @@ dvec2 next_target(const Draws& draws, std::uint64_t index, const dvec2& from_deg
 
 ScanEye::ScanEye(std::uint64_t seed, const Settings& settings)
     : settings_(settings),
-      drift_x_(drift(seed, 201, settings.drift_arcmin2_s)),
-      drift_y_(drift(seed, 202, settings.drift_arcmin2_s)) {
+      drift_x_(fixation_drift(seed, 201, settings.drift_arcmin2_s)),
+      drift_y_(fixation_drift(seed, 202, settings.drift_arcmin2_s)) {
     const Draws draws(seed, 200);
     const double last_start_s = kCycle_s - 1.0;
     dvec2 target_deg(0.0);

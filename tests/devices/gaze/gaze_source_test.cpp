@@ -87,6 +87,8 @@ TEST(GazeSource, RefusesARateOrVersionThatTheTrackerLacks) {
     const auto too_fast = GazeSource::open(tracker.transport, tracker.clock, {.rate_hz = 120});
     ASSERT_FALSE(too_fast);
     EXPECT_EQ(too_fast.error().code, ErrorCode::unsupported);
+    EXPECT_EQ(too_fast.error().text,
+              "the tracker has no rate of 120 Hz; expected one of its own: 60 Hz");
     EXPECT_FALSE(GazeSource::open(tracker.transport, tracker.clock, {.rate_hz = 61}));
     tracker.transport.answer_by = [](std::uint8_t,
                                      std::uint16_t) -> Result<std::vector<std::byte>> {
@@ -199,8 +201,10 @@ TEST(GazeSource, EventsAndCalibrationComeBesideTheSamples) {
     ASSERT_EQ(events.size(), 1u);
     EXPECT_EQ(events[0].kind, EventKind::saccade);
     EXPECT_TRUE(source.take_events().empty());
-    ASSERT_TRUE(source.last_calibration());
-    EXPECT_EQ(source.last_calibration()->state, CalibrationState::done);
+    const auto calibrations = source.take_calibrations();
+    ASSERT_EQ(calibrations.size(), 1u);
+    EXPECT_EQ(calibrations[0].state, CalibrationState::done);
+    EXPECT_TRUE(source.take_calibrations().empty());
     EXPECT_EQ(source.counts().lost, 0u);
 }
 

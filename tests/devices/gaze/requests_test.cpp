@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "devices/crc32.h"
 #include "tests/devices/byte_text.h"
 
 namespace foverig::gaze {
@@ -69,6 +70,19 @@ TEST(GazePayloads, RejectTruncationAndDamage) {
     expect_sealed(Info{.serial = "a", .firmware = "b"});
     expect_sealed(DeviceStatus{});
     expect_sealed(DeviceTimeReply{.device_ns = 5});
+}
+
+TEST(CalibrationBlob, LiesAsTheTableSays) {
+    const CalibrationBlob blob{.id = 0x0203, .data = {std::byte{7}, std::byte{8}}};
+    const auto b = blob.encode();
+    EXPECT_EQ(copy_of(Bytes(b).first(12)), bytes_of("53 47 5a 43 02 00 03 02 07 08 00 00"));
+    EXPECT_EQ(read_u32(b, 508), crc32(Bytes(b).first(508)));
+    EXPECT_EQ(*CalibrationBlob::decode(b), blob);
+    expect_sealed(blob);
+    auto too_long = b;
+    write_u16(too_long, 4, 501);
+    write_u32(too_long, 508, crc32(Bytes(too_long).first(508)));
+    EXPECT_FALSE(CalibrationBlob::decode(too_long));
 }
 
 TEST(SetMapping, InfinityMeansVergenceAndNonsenseIsRefused) {
