@@ -70,50 +70,53 @@ void SkewTracker::close_window() {
         return;
     }
     minima_.push_back(closed);
-    if (minima_.size() > config_.windows) minima_.pop_front();
+    if (minima_.size() > config_.windows) (void)minima_.pop_front();
     fit();
 }
 
 // The line under all points that minimises the sum of vertical distances is the edge of their lower
 // convex hull above which their mean abscissa lies.
 void SkewTracker::fit() {
-    std::vector<Point> points(minima_.begin(), minima_.end());
-    std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+    points_.reserve(config_.windows);
+    hull_.reserve(config_.windows);
+    points_.clear();
+    for (std::size_t i = 0; i < minima_.size(); ++i) points_.push_back(minima_[i]);
+    std::sort(points_.begin(), points_.end(), [](const Point& a, const Point& b) {
         return a.device_ns != b.device_ns ? a.device_ns < b.device_ns : a.skew_ns < b.skew_ns;
     });
-    const std::int64_t first_ns = points.front().device_ns;
+    const std::int64_t first_ns = points_.front().device_ns;
     const auto x = [&](const Point& p) { return static_cast<double>(p.device_ns - first_ns); };
-    std::vector<Point> hull;
+    hull_.clear();
     double mean_x = 0;
-    for (const Point& p : points) {
-        mean_x += x(p) / static_cast<double>(points.size());
-        if (!hull.empty() && hull.back().device_ns == p.device_ns) continue;
-        while (hull.size() >= 2) {
-            const Point& a = hull[hull.size() - 2];
-            const Point& b = hull.back();
+    for (const Point& p : points_) {
+        mean_x += x(p) / static_cast<double>(points_.size());
+        if (!hull_.empty() && hull_.back().device_ns == p.device_ns) continue;
+        while (hull_.size() >= 2) {
+            const Point& a = hull_[hull_.size() - 2];
+            const Point& b = hull_.back();
             const double turn =
                 (x(b) - x(a)) * (p.skew_ns - a.skew_ns) - (b.skew_ns - a.skew_ns) * (x(p) - x(a));
             if (turn > 0) break;
-            hull.pop_back();
+            hull_.pop_back();
         }
-        hull.push_back(p);
+        hull_.push_back(p);
     }
     constexpr std::size_t kEnoughForSlope = 6;
-    if (points.size() < kEnoughForSlope || hull.size() < 2) {
-        fitted_ = *std::min_element(hull.begin(), hull.end(), [](const Point& a, const Point& b) {
+    if (points_.size() < kEnoughForSlope || hull_.size() < 2) {
+        fitted_ = *std::min_element(hull_.begin(), hull_.end(), [](const Point& a, const Point& b) {
             return a.skew_ns < b.skew_ns;
         });
         slope_ = 0;
     } else {
         std::size_t i = 1;
-        while (i + 1 < hull.size() && x(hull[i]) < mean_x) ++i;
-        fitted_ = hull[i];
-        slope_ = (hull[i].skew_ns - hull[i - 1].skew_ns) / (x(hull[i]) - x(hull[i - 1]));
+        while (i + 1 < hull_.size() && x(hull_[i]) < mean_x) ++i;
+        fitted_ = hull_[i];
+        slope_ = (hull_[i].skew_ns - hull_[i - 1].skew_ns) / (x(hull_[i]) - x(hull_[i - 1]));
         slope_ = std::clamp(slope_, -config_.max_drift, config_.max_drift);
     }
     double above_ns = 0;
-    for (const Point& p : points) above_ns += p.skew_ns - target(p.device_ns);
-    residual_ns_ = std::llround(above_ns / static_cast<double>(points.size()));
+    for (const Point& p : points_) above_ns += p.skew_ns - target(p.device_ns);
+    residual_ns_ = std::llround(above_ns / static_cast<double>(points_.size()));
 }
 
 std::int64_t SkewTracker::to_host(std::int64_t device_ns) const {

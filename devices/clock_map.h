@@ -4,10 +4,10 @@
 // kept and the line under all of them with the least total distance gives offset and drift
 // (Moon, Skelly, Towsley 1999). Constant smallest delay stays in the result.
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
+#include "devices/ring.h"
 #include "devices/time.h"
 
 namespace foverig {
@@ -23,7 +23,8 @@ struct ClockMapConfig {
 /// The arithmetic in plain nanoseconds; use ClockMap<DeviceTime>.
 class SkewTracker {
   public:
-    explicit SkewTracker(const ClockMapConfig& config) : config_(config) {}
+    explicit SkewTracker(const ClockMapConfig& config)
+        : config_(config), minima_(config.windows + 1) {}
 
     void update(std::int64_t device_ns, std::int64_t arrival_ns);
     void reset();
@@ -47,7 +48,7 @@ class SkewTracker {
 
     ClockMapConfig config_;
     bool ready_ = false;
-    std::deque<Point> minima_;
+    Ring<Point> minima_;
     std::optional<Point> open_;  // smallest of the window that is filling
     std::int64_t window_start_ns_ = 0;
     std::int64_t origin_host_ns_ = 0, origin_device_ns_ = 0;  // skews are relative to these
@@ -56,6 +57,7 @@ class SkewTracker {
     Point before_{}, now_{};  // the applied skew at the last two updates
     std::int64_t residual_ns_ = 0;
     std::uint64_t resets_ = 0;
+    std::vector<Point> points_, hull_;  // of `fit` alone; their memory is kept
 };
 
 /// Monotone between resets for stamps up to the newest update; may be asked for any stamp.

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "devices/byte_pool.h"
 #include "devices/result.h"
 #include "devices/time.h"
 
@@ -20,7 +21,7 @@ struct Fault {
 
 struct Packet {
     HostTime arrival{};  ///< when the host had it
-    std::vector<std::byte> bytes;
+    BytePool::Held bytes;
 };
 
 /// Four outcomes, told apart; 0 never means two things.

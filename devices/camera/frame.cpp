@@ -50,8 +50,8 @@ Result<FrameHeader> decode_header(Bytes b) {
     return h;
 }
 
-std::vector<std::byte> encode_frame(FrameHeader header, Bytes image) {
-    std::vector<std::byte> b(FrameHeader::kSize + image.size());
+std::array<std::byte, FrameHeader::kSize> encode_header(const FrameHeader& header) {
+    std::array<std::byte, FrameHeader::kSize> b{};
     write_u32(b, 0, FrameHeader::kMagic);
     write_u32(b, 4, header.format);
     write_u16(b, 8, header.width_px);
@@ -60,8 +60,15 @@ std::vector<std::byte> encode_frame(FrameHeader header, Bytes image) {
     write_u32(b, 16, header.sequence);
     write_u32(b, 20, header.age_us);
     write_u32(b, 24, header.damaged ? 1 : 0);
-    write_u32(b, 28, static_cast<std::uint32_t>(image.size()));
-    std::copy(image.begin(), image.end(), b.begin() + FrameHeader::kSize);
+    write_u32(b, 28, header.image_bytes);
+    return b;
+}
+
+std::vector<std::byte> encode_frame(FrameHeader header, Bytes image) {
+    header.image_bytes = static_cast<std::uint32_t>(image.size());
+    const auto head = encode_header(header);
+    std::vector<std::byte> b(head.size() + image.size());
+    std::copy(image.begin(), image.end(), std::copy(head.begin(), head.end(), b.begin()));
     return b;
 }
 

@@ -4,6 +4,7 @@
 //   0 u32 "FCF1"  4 u32 fourcc  8 u16 width  10 u16 height  12 u32 stride, bytes  16 u32 sequence
 //   20 u32 age, us: from the frame's time stamp to its arrival  24 u32 flags, bit 0 damaged
 //   28 u32 bytes of image
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -48,6 +49,7 @@ struct GreyView {
 
 /// Checks magic, sizes and format (GREY or YUYV).
 Result<FrameHeader> decode_header(Bytes packet);
+std::array<std::byte, FrameHeader::kSize> encode_header(const FrameHeader& header);
 /// Header and image; the header's image_bytes is set here.
 std::vector<std::byte> encode_frame(FrameHeader header, Bytes image);
 

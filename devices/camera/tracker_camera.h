@@ -13,7 +13,7 @@ struct CameraFrame {
     HostTime stamp{};    ///< of its first packet, as the kernel saw it
     HostTime arrival{};  ///< when it was all there
     FrameHeader header;
-    std::vector<std::byte> packet;
+    BytePool::Held packet;
 
     GreyView image() const { return tracker_image(header, packet); }
 };

@@ -77,7 +77,8 @@ std::uint16_t Dk2Decoder::count(std::uint16_t sample_count, std::uint8_t num_sam
 void Dk2Decoder::expand(DecodedReport& out, std::span<const InertialSlot> slots, int num_samples,
                         std::int16_t temperature_centi_c, Dk2Time newest) {
     const int last_slot = std::min<int>(num_samples, static_cast<int>(slots.size())) - 1;
-    out.samples.resize(static_cast<std::size_t>(num_samples));
+    out.samples = std::move(spare_);
+    out.samples.assign(static_cast<std::size_t>(num_samples), {});
     for (int k = 0; k < num_samples; ++k) {
         // Slot 0 stands for all samples that the other slots do not hold: it is their mean.
         const int before_newest = num_samples - 1 - k;

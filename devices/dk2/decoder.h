@@ -44,6 +44,9 @@ class Dk2Decoder {
     /// report 11 before it to take its time from.
     Result<DecodedReport> decode(Bytes packet);
 
+    /// Its memory serves the next one, so that a stream of reports allocates nothing.
+    void take_back(DecodedReport&& report) { spare_ = std::move(report.samples); }
+
     /// The device was gone: the next report begins anew, as after a restart.
     void expect_restart() {
         stamps_.expect_restart();
@@ -66,6 +69,7 @@ class Dk2Decoder {
     bool counting_ = false;
     std::uint64_t next_sequence_ = 0;  // expected number of the next sample, unwrapped
     Dk2Time newest_{};
+    std::vector<ImuSample> spare_;
     std::uint64_t backwards_ = 0, duplicates_ = 0;
 };
 

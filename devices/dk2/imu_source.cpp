@@ -109,13 +109,11 @@ Next<ImuSample> Dk2ImuSource::next(HostTime deadline) {
             return EndOfStream{};
         }
     }
-    const ImuSample sample = ready_.front();
-    ready_.pop_front();
-    return sample;
+    return ready_.pop_front();
 }
 
 void Dk2ImuSource::take(const Packet& packet) {
-    const Result<DecodedReport> decoded = decoder_.decode(packet.bytes);
+    Result<DecodedReport> decoded = decoder_.decode(packet.bytes);
     const bool is_report1 = !packet.bytes.empty() && read_u8(packet.bytes, 0) == InputReport1::kId;
     if (is_report1 && packet.arrival >= next_correction_) {
         ++format_switches_;
@@ -137,13 +135,15 @@ void Dk2ImuSource::take(const Packet& packet) {
     // A time continued by count is no measurement of the device's clock.
     if (!is_report1) clock_map_.update(decoded->samples.back().device_time, packet.arrival);
     for (const ImuSample& decoded_sample : decoded->samples) {
-        ImuSample& s = ready_.emplace_back(decoded_sample);
+        ImuSample& s = ready_.push_back(decoded_sample);
         s.host_time = clock_map_.to_host(s.device_time);
         s.arrival = packet.arrival;
     }
-    if (is_report1) return;
-    note_panel(decoded->panel);
-    note_exposure(decoded->exposure);
+    if (!is_report1) {
+        note_panel(decoded->panel);
+        note_exposure(decoded->exposure);
+    }
+    decoder_.take_back(std::move(decoded).value());
 }
 
 void Dk2ImuSource::note_panel(PanelReadback panel) {
@@ -152,7 +152,7 @@ void Dk2ImuSource::note_panel(PanelReadback panel) {
     last_frame_count_ = panel.frame_count;
     panel.vsync = clock_map_.to_host(panel.vsync_device);
     readbacks_.push_back(panel);
-    if (readbacks_.size() > kKeptReadbacks) readbacks_.pop_front();
+    if (readbacks_.size() > kKeptReadbacks) (void)readbacks_.pop_front();
 }
 
 void Dk2ImuSource::note_exposure(LedExposure exposure) {
@@ -160,19 +160,15 @@ void Dk2ImuSource::note_exposure(LedExposure exposure) {
     last_exposure_count_ = exposure.count;
     exposure.start = clock_map_.to_host(exposure.start_device);
     exposures_.push_back(exposure);
-    if (exposures_.size() > kKeptExposures) exposures_.pop_front();
+    if (exposures_.size() > kKeptExposures) (void)exposures_.pop_front();
 }
 
 std::vector<LedExposure> Dk2ImuSource::take_exposures() {
-    std::vector<LedExposure> taken(exposures_.begin(), exposures_.end());
-    exposures_.clear();
-    return taken;
+    return exposures_.take();
 }
 
 std::vector<PanelReadback> Dk2ImuSource::take_panel_readbacks() {
-    std::vector<PanelReadback> taken(readbacks_.begin(), readbacks_.end());
-    readbacks_.clear();
-    return taken;
+    return readbacks_.take();
 }
 
 }  // namespace foverig::dk2

@@ -2,12 +2,12 @@
 // The DK2 over a transport: Source<ImuSample>. Sets the device up, has whatever reads it keep it
 // awake by report 17 (DEVICES.md 1.6), corrects a switch to report 1, and sets a headset up again
 // that was unplugged. One thread uses it; it has none of its own.
-#include <deque>
 #include <vector>
 
 #include "devices/clock_map.h"
 #include "devices/dk2/decoder.h"
 #include "devices/dk2/feature_reports.h"
+#include "devices/ring.h"
 #include "devices/source.h"
 
 namespace foverig::dk2 {
@@ -63,11 +63,11 @@ class Dk2ImuSource {
     FactoryCalibration calibration_;
     Dk2Decoder decoder_;
     ClockMap<Dk2Time> clock_map_;
-    std::deque<ImuSample> ready_;
-    std::deque<PanelReadback> readbacks_;
+    Ring<ImuSample> ready_;
+    Ring<PanelReadback> readbacks_;
     bool panel_seen_ = false;
     std::uint16_t last_frame_count_ = 0;
-    std::deque<LedExposure> exposures_;
+    Ring<LedExposure> exposures_;
     std::uint16_t last_exposure_count_ = 0;
     HostTime next_correction_{};
     bool was_gone_ = false;

@@ -8,7 +8,6 @@ namespace foverig::gaze {
 namespace {
 
 constexpr std::size_t kKeptEvents = 64;
-constexpr std::size_t kRoundTrips = 40;
 constexpr Nanoseconds kSetUpPause{250'000'000};  // between two tries with a tracker that came back
 constexpr std::uint64_t kLatestNs = std::uint64_t{1}
                                     << 62;  // 146 years: beyond it a stamp is noise
@@ -38,13 +37,6 @@ std::string rates_text(std::uint16_t rates) {
         text += fmt::format("{}{}", text.empty() ? "" : ", ", rate_hz);
     }
     return text.empty() ? "none that SGZ1 knows" : text + " Hz";
-}
-
-template <class T>
-std::vector<T> taken(std::deque<T>& kept) {
-    std::vector<T> all(kept.begin(), kept.end());
-    kept.clear();
-    return all;
 }
 
 std::optional<Error> unfit(const StoredCalibration& calibration, const Info& info) {
@@ -150,9 +142,7 @@ Next<GazeSample> GazeSource::next(HostTime deadline) {
             return EndOfStream{};
         }
     }
-    const GazeSample sample = ready_.front();
-    ready_.pop_front();
-    return sample;
+    return ready_.pop_front();
 }
 
 void GazeSource::take(const Packet& packet) {
@@ -187,10 +177,10 @@ void GazeSource::take(const Packet& packet) {
         gap_before_next_sample_ = false;
     } else if (const auto* event = std::get_if<EventFrame>(&*frame)) {
         events_.push_back(*event);
-        if (events_.size() > kKeptEvents) events_.pop_front();
+        if (events_.size() > kKeptEvents) (void)events_.pop_front();
     } else if (const auto* calibration = std::get_if<CalibrationFrame>(&*frame)) {
         calibrations_.push_back(*calibration);
-        if (calibrations_.size() > kKeptEvents) calibrations_.pop_front();
+        if (calibrations_.size() > kKeptEvents) (void)calibrations_.pop_front();
     }
 }
 
@@ -209,7 +199,7 @@ void GazeSource::take_sample(const SampleFrame& frame, HostTime arrival, bool ga
     }
     last_camera_frame_ = frame.camera_frame;
     dropped_by_device_ = frame.dropped_by_device;
-    GazeSample& s = ready_.emplace_back(to_sample(frame));
+    GazeSample& s = ready_.push_back(to_sample(frame));
     s.host_time = clock_map_.to_host(s.device_time);
     s.arrival = arrival;
     s.gap = gap;
@@ -233,20 +223,20 @@ void GazeSource::sync_time() {
         return;
     }
     const Nanoseconds trip = after - before;
-    round_trips_.push_back(trip);
-    if (round_trips_.size() > kRoundTrips) round_trips_.pop_front();
-    std::vector<Nanoseconds> sorted(round_trips_.begin(), round_trips_.end());
-    const auto quarter = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 4);
-    std::nth_element(sorted.begin(), quarter, sorted.end());
+    round_trips_[trips_++ % round_trips_.size()] = trip;
+    const std::size_t kept = std::min(trips_, round_trips_.size());
+    auto sorted = round_trips_;
+    const auto quarter = sorted.begin() + (kept - 1) / 4;
+    std::nth_element(sorted.begin(), quarter, sorted.begin() + kept);
     if (trip <= *quarter) clock_map_.update(time_of(reply->device_ns), before + trip / 2);
 }
 
 std::vector<EventFrame> GazeSource::take_events() {
-    return taken(events_);
+    return events_.take();
 }
 
 std::vector<CalibrationFrame> GazeSource::take_calibrations() {
-    return taken(calibrations_);
+    return calibrations_.take();
 }
 
 }  // namespace foverig::gaze

@@ -2,7 +2,7 @@
 // The gaze tracker over a transport: Source<GazeSample>. Frames are timed by the device's own
 // exposure stamps through the clock map, never by arrival. A tracker that was unplugged is set up
 // and started again as soon as it answers. One thread uses it.
-#include <deque>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -10,6 +10,7 @@
 #include "devices/gaze/frame_sequence.h"
 #include "devices/gaze/gaze_sample.h"
 #include "devices/gaze/requests.h"
+#include "devices/ring.h"
 #include "devices/source.h"
 
 namespace foverig::gaze {
@@ -75,10 +76,11 @@ class GazeSource {
     std::uint64_t last_queued_ns_ = 0;
     bool gap_before_next_sample_ = false;
     std::optional<std::uint32_t> last_camera_frame_;
-    std::deque<GazeSample> ready_;
-    std::deque<EventFrame> events_;
-    std::deque<CalibrationFrame> calibrations_;
-    std::deque<Nanoseconds> round_trips_;
+    Ring<GazeSample> ready_;
+    Ring<EventFrame> events_;
+    Ring<CalibrationFrame> calibrations_;
+    std::array<Nanoseconds, 40> round_trips_{};  // the newest, in any order
+    std::size_t trips_ = 0;
     HostTime next_sync_{};
     std::optional<HostTime> next_set_up_;  // the tracker was gone: when to try
     std::uint16_t cookie_ = 0;

@@ -2,18 +2,24 @@
 
 namespace foverig::hardware {
 
-void PacketQueue::push(std::vector<std::byte> packet) {
+void PacketQueue::push(Bytes packet, Bytes rest) {
     const HostTime arrival = clock_.now();
-    const std::lock_guard lock(mutex_);
-    items_.emplace_back(Packet{arrival, std::move(packet)});
-    if (items_.size() > capacity_) items_.pop_front();
+    BytePool::Held bytes = pool_.copy_of(packet, rest);
+    {
+        const std::lock_guard lock(mutex_);
+        items_.push_back(Packet{arrival, std::move(bytes)});
+        if (items_.size() > capacity_) (void)items_.pop_front();
+    }
+    // Whoever waits finds the lock free when woken.
     news_.notify_one();
 }
 
 void PacketQueue::lost(const Error& why) {
-    const std::lock_guard lock(mutex_);
-    if (!gone_) items_.emplace_back(Fault{why});
-    gone_ = why;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!gone_) items_.push_back(Fault{why});
+        gone_ = why;
+    }
     news_.notify_one();
 }
 
@@ -31,8 +37,7 @@ std::optional<NextPacket> PacketQueue::take(HostTime deadline) {
         packet != nullptr && packet->arrival > deadline) {
         return Timeout{};
     }
-    auto item = std::move(items_.front());
-    items_.pop_front();
+    auto item = items_.pop_front();
     if (auto* packet = std::get_if<Packet>(&item)) return std::move(*packet);
     return std::get<Fault>(std::move(item));
 }

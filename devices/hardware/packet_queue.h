@@ -1,11 +1,10 @@
 #pragma once
 // Between the thread that reads a device and the one that asks for packets.
 #include <condition_variable>
-#include <deque>
 #include <mutex>
 #include <optional>
 
-#include "devices/bytes.h"
+#include "devices/ring.h"
 #include "devices/transport.h"
 
 namespace foverig::hardware {
@@ -22,9 +21,8 @@ class PacketQueue {
     explicit PacketQueue(const Clock& clock, std::size_t capacity = kCapacity)
         : clock_(clock), capacity_(capacity) {}
 
-    /// Came just now.
-    void push(Bytes packet) { push(to_vector(packet)); }
-    void push(std::vector<std::byte> packet);
+    /// Came just now; `rest` is the packet's second part, where it has one.
+    void push(Bytes packet, Bytes rest = {});
     /// The device is gone: each loss gives at least one Fault, behind the packets before it.
     void lost(const Error& why);
     void found();
@@ -39,7 +37,8 @@ class PacketQueue {
     std::size_t capacity_;
     std::mutex mutex_;
     std::condition_variable news_;
-    std::deque<std::variant<Packet, Fault>> items_;
+    BytePool pool_;
+    Ring<std::variant<Packet, Fault>> items_;
     std::optional<Error> gone_;
 };
 

@@ -198,9 +198,10 @@ Status VideoLink::read(PacketQueue& packets) {
         .stride_bytes = stride_bytes_,
         .sequence = buffer.sequence,
         .age_us = age_us(buffer, calls_->monotonic_ns()),
-        .damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || used < whole};
+        .damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || used < whole,
+        .image_bytes = static_cast<std::uint32_t>(whole)};
     const auto* bytes = static_cast<const std::byte*>(mapped.memory);
-    packets.push(camera::encode_frame(header, Bytes(bytes, whole)));
+    packets.push(camera::encode_header(header), Bytes(bytes, whole));
     return give_back(buffer.index);
 }
 

@@ -40,7 +40,7 @@ bool ExposedDevice::pass_on(const std::stop_token& stop) {
         NextPacket next = model_.next(clock_.now());
         if (auto* packet = std::get_if<Packet>(&next)) {
             if (!face_ && !plug_in_again()) return false;
-            face_->send(std::move(packet->bytes));
+            face_->send(std::move(packet->bytes).release());
             const std::lock_guard lock(mutex_);
             ++counts_.packets;
         } else if (std::holds_alternative<Timeout>(next)) {

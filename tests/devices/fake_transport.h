@@ -34,7 +34,7 @@ class FakeTransport final : public Transport {
 
     template <class Container>
     void push(HostTime arrival, const Container& bytes) {
-        packets.push_back({arrival, {bytes.begin(), bytes.end()}});
+        packets.push_back({arrival, std::vector<std::byte>(bytes.begin(), bytes.end())});
     }
 
     NextPacket next(HostTime deadline) override {

@@ -86,7 +86,9 @@ class Mangled final : public Transport {
         NextPacket next = device_.next(deadline);
         auto* const packet = std::get_if<Packet>(&next);
         if (packet == nullptr) return next;
-        harm(packet->bytes, script_);
+        std::vector<std::byte> bytes = std::move(packet->bytes).release();
+        harm(bytes, script_);
+        packet->bytes = std::move(bytes);
         return next;
     }
     Status control_set(std::uint8_t id, std::uint16_t value,

@@ -18,7 +18,7 @@ HostTime at_ms(int ms) {
 
 std::vector<std::byte> packet_of(const NextPacket& next) {
     const auto* packet = std::get_if<Packet>(&next);
-    return packet != nullptr ? packet->bytes : std::vector<std::byte>{};
+    return packet != nullptr ? to_vector(packet->bytes) : std::vector<std::byte>{};
 }
 
 TEST(PacketQueue, GivesWhatArrivedByTheDeadlineInOrder) {

@@ -55,7 +55,7 @@ class LoggedFace final : public Face {
 class ExposedDeviceTest : public testing::Test {
   protected:
     NextPacket packet(char first) {
-        return Packet{HostTime{}, {static_cast<std::byte>(first), std::byte{0}}};
+        return Packet{HostTime{}, std::vector{static_cast<std::byte>(first), std::byte{0}}};
     }
     NextPacket unplugged() { return Fault{Error{ErrorCode::closed, "unplugged"}}; }
     PlugIn plug_in() {

@@ -1,0 +1,53 @@
+#include "tests/allocations/counted_new.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<std::size_t> count{0};
+thread_local int not_counted = 0;
+
+void* counted(std::size_t size, std::size_t alignment) {
+    if (not_counted == 0) ++count;
+    const std::size_t whole = (size + alignment - 1) / alignment * alignment;
+    if (void* memory = std::aligned_alloc(alignment, whole == 0 ? alignment : whole)) return memory;
+    throw std::bad_alloc();
+}
+
+}  // namespace
+
+// The other forms of the standard library come down to these.
+void* operator new(std::size_t size) {
+    return counted(size, alignof(std::max_align_t));
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return counted(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+
+namespace foverig::test {
+
+std::size_t allocations() {
+    return count;
+}
+NotCounted::NotCounted() {
+    ++not_counted;
+}
+NotCounted::~NotCounted() {
+    --not_counted;
+}
+
+}  // namespace foverig::test
