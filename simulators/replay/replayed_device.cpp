@@ -29,7 +29,12 @@ ReplayedDevice::ReplayedDevice(const Recording& recording, const std::string& de
       settings_(settings),
       raw_channel_(recording.summary().channel(raw_topic(device))->id),
       messages_(*file_, recording.summary().chunks, channels_of(recording, device)),
-      period_(recording.last() - recording.first() + kLoopPause) {}
+      period_(recording.last() - recording.first() + kLoopPause),
+      round_begin_(recording.first()) {}
+
+bool ReplayedDevice::is_out(HostTime now) const {
+    return unplugged_ && (unplugged_->since >= round_begin_ || now < round_begin_);
+}
 
 /// Until something is ahead that `next` can give, or nothing ever will be.
 void ReplayedDevice::read_ahead() {
@@ -43,6 +48,7 @@ void ReplayedDevice::read_ahead() {
         } else if (settings_.loop && packets_in_round_) {
             messages_.rewind();
             shift_ += period_;
+            round_begin_ += period_;
             packets_in_round_ = false;
         } else {
             at_end_ = true;
@@ -75,17 +81,18 @@ NextPacket ReplayedDevice::next(HostTime deadline) {
         read_ahead();
         const HostTime now = std::min(clock_.now(), deadline);
         if (ahead_ && ahead_->time <= now) {
+            const HostTime time = ahead_->time;
             auto what = std::move(ahead_->what);
             ahead_.reset();
             if (auto* packet = std::get_if<Packet>(&what)) {
                 unplugged_.reset();
                 return std::move(*packet);
             }
-            unplugged_ = std::get<Fault>(what).error;
-            return Fault{*unplugged_};
+            unplugged_ = {time, std::get<Fault>(what).error};
+            return Fault{unplugged_->error};
         }
         if (damage_ && at_end_ && !ahead_) return Fault{*damage_};
-        if (unplugged_) return Fault{*unplugged_};
+        if (is_out(now)) return Fault{unplugged_->error};
         if (at_end_ && !ahead_) return EndOfStream{};
         if (now >= deadline) return Timeout{};
         clock_.sleep_until(std::min(deadline, ahead_->time));
@@ -93,7 +100,7 @@ NextPacket ReplayedDevice::next(HostTime deadline) {
 }
 
 Status ReplayedDevice::control_set(std::uint8_t, std::uint16_t, std::span<const std::byte>) {
-    if (unplugged_) return *unplugged_;
+    if (is_out(clock_.now())) return unplugged_->error;
     return Done{};
 }
 

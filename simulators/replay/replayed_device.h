@@ -53,6 +53,13 @@ class ReplayedDevice final : public Transport {
         bool given = false;
     };
 
+    struct Unplugged {
+        HostTime since;
+        Error error;
+    };
+
+    /// A new round begins with the device plugged in, however the one before ended.
+    bool is_out(HostTime now) const;
     void read_ahead();
     void take_message(const mcap::Message& message);
 
@@ -61,12 +68,14 @@ class ReplayedDevice final : public Transport {
     Settings settings_;
     std::uint16_t raw_channel_;
     mcap::MessageStream messages_;
-    Nanoseconds period_;   // of a loop
+    Nanoseconds period_;  // of a loop
+    HostTime round_begin_;
     Nanoseconds shift_{};  // of the present round
     bool packets_in_round_ = false;
     std::optional<Item> ahead_;
     std::deque<Exchange> exchanges_;  // the newest that were passed
-    std::optional<Error> unplugged_, damage_;
+    std::optional<Unplugged> unplugged_;
+    std::optional<Error> damage_;
     bool at_end_ = false;
 };
 

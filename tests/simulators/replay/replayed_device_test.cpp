@@ -120,6 +120,47 @@ TEST_F(ReplayedDeviceTest, BeginsAgainInALoopAtTimesThatGoOn) {
     }
 }
 
+/// Unplugged for good at 40 ms of a recording that goes on to 100 ms.
+TEST(ReplayedDevice, WhatEndedUnpluggedIsPluggedInWhenALoopBeginsAgain) {
+    test::Disk disk;
+    {
+        auto recorder = Recorder::begin(std::make_unique<test::MemorySink>(disk)).value();
+        test::FakeTransport device;
+        ManualClock clock;
+        RecordedTransport tap(device, *recorder, clock,
+                              {.name = "dk2", .packet_encoding = "x-hid", .device_time = ""});
+        EXPECT_FALSE(tap.control_get(3, 0, 3));
+        device.push(at_ms(10), bytes_of("0B 00"));
+        EXPECT_TRUE(std::holds_alternative<Packet>(tap.next(at_ms(10))));
+        clock.sleep_until(at_ms(40));
+        device.fault_at_end = Error{ErrorCode::closed, "the cable is out"};
+        EXPECT_TRUE(std::holds_alternative<Fault>(tap.next(at_ms(40))));
+        const auto other = recorder->add_topic({.topic = "/other", .message_encoding = "x"});
+        recorder->record(other, at_ms(100), at_ms(100), bytes_of("00"));
+        EXPECT_TRUE(recorder->close());
+    }
+    const auto bytes = disk.bytes();
+    const auto recording =
+        Recording::open(std::make_unique<MemorySource>(bytes), "test.mcap").value();
+    ManualClock clock;
+    ReplayedDevice d(recording, "dk2", clock, {.loop = true});
+    const auto outcome_at = [&](int ms) {
+        clock.sleep_until(at_ms(ms));
+        return d.next(at_ms(ms));
+    };
+    constexpr int kRound = 101;
+    for (const int begin : {0, kRound, 2 * kRound}) {
+        EXPECT_TRUE(std::holds_alternative<Timeout>(outcome_at(begin + 1))) << begin;
+        EXPECT_TRUE(d.control_set(17, 0, {})) << begin;
+        EXPECT_TRUE(std::holds_alternative<Packet>(outcome_at(begin + 10))) << begin;
+        EXPECT_TRUE(std::holds_alternative<Timeout>(outcome_at(begin + 39))) << begin;
+        for (const int ms : {40, 41, 99}) {
+            EXPECT_TRUE(std::holds_alternative<Fault>(outcome_at(begin + ms))) << begin + ms;
+            EXPECT_FALSE(d.control_set(17, 0, {}));
+        }
+    }
+}
+
 /// A damaged chunk in the middle: its checksum says so when it is reached, as the device's fault.
 TEST_F(ReplayedDeviceTest, SaysThatTheFileIsDamaged) {
     const auto chunk = recording_->summary().chunks.at(0);
