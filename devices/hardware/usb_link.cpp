@@ -14,6 +14,7 @@ constexpr int kInterface = 0;
 constexpr unsigned char kFrames = 0x81;  // bulk IN
 constexpr unsigned kControlTimeout_ms = 1000;
 constexpr suseconds_t kWait_us = 50'000;     // how soon the reader sees that it should stop
+constexpr int kMostHaltsInARow = 8;          // beyond it the device is not well
 constexpr int kMostWaitsForCancelled = 100;  // a kernel gives cancelled transfers back at once
 constexpr auto kToDevice = static_cast<std::uint8_t>(static_cast<int>(LIBUSB_ENDPOINT_OUT) |
                                                      static_cast<int>(LIBUSB_REQUEST_TYPE_VENDOR) |
@@ -58,6 +59,8 @@ Result<std::unique_ptr<Link>> UsbLink::open(const FoundDevice& device) {
     if (const int code = libusb_claim_interface(handle.get(), kInterface); code != 0) {
         return claim_problem(device.path, code);
     }
+    // Whoever had it before may have left it halted. Where it cannot be cleared, transfers tell.
+    (void)libusb_clear_halt(handle.get(), kFrames);
     return std::unique_ptr<Link>(new UsbLink(std::move(context), std::move(handle), device.path));
 }
 
@@ -69,16 +72,24 @@ UsbLink::UsbLink(Context context, Handle device, std::string path)
 UsbLink::~UsbLink() {
     const auto busy = [this] {
         const std::lock_guard lock(mutex_);
-        return std::any_of(slots_.begin(), slots_.end(), [](const Slot& s) { return s.in_flight; });
+        return any_in_flight();
     };
     {
         const std::lock_guard lock(mutex_);
         closing_ = true;
-        for (Slot& slot : slots_) {
-            if (slot.in_flight) libusb_cancel_transfer(slot.transfer.get());
-        }
+        cancel_all();
     }
     for (int i = 0; i < kMostWaitsForCancelled && busy(); ++i) handle_events(context_.get());
+}
+
+bool UsbLink::any_in_flight() const {
+    return std::any_of(slots_.begin(), slots_.end(), [](const Slot& s) { return s.in_flight; });
+}
+
+void UsbLink::cancel_all() {
+    for (Slot& slot : slots_) {
+        if (slot.in_flight) libusb_cancel_transfer(slot.transfer.get());
+    }
 }
 
 Error UsbLink::failed(int code) const {
@@ -118,9 +129,16 @@ void UsbLink::take(Slot& slot) {
                 const auto size = static_cast<std::size_t>(done.actual_length);
                 packets_->push(std::as_bytes(std::span(slot.buffer)).first(size));
             }
+            halts_in_a_row_ = 0;
             break;
         case LIBUSB_TRANSFER_OVERFLOW:  // longer than any frame: nothing of it can be used
             break;
+        case LIBUSB_TRANSFER_STALL:
+            if (halted_ || closing_) return;
+            halted_ = true;
+            packets_->push(Bytes{});
+            cancel_all();
+            return;
         case LIBUSB_TRANSFER_CANCELLED:
             return;
         default:
@@ -128,13 +146,28 @@ void UsbLink::take(Slot& slot) {
                                                                        : LIBUSB_ERROR_IO);
             return;
     }
-    if (!closing_) submit(slot);
+    if (!closing_ && !halted_) submit(slot);
+}
+
+/// Not from a completed transfer's callback: a kernel wants nothing in flight meanwhile.
+void UsbLink::clear_halt() {
+    halted_ = false;
+    if (++halts_in_a_row_ > kMostHaltsInARow) {
+        failure_ = Error{ErrorCode::io, path_ + " halts again and again instead of giving frames"};
+        return;
+    }
+    if (const int code = libusb_clear_halt(device_.get(), kFrames); code != 0) {
+        failure_ = failed(code);
+        return;
+    }
+    for (Slot& slot : slots_) submit(slot);
 }
 
 Status UsbLink::read(PacketQueue& packets) {
     if (packets_ == nullptr) start(packets);
     handle_events(context_.get());
     const std::lock_guard lock(mutex_);
+    if (halted_ && !failure_ && !any_in_flight()) clear_halt();
     if (failure_) return *failure_;
     return Done{};
 }

@@ -13,8 +13,9 @@ struct libusb_transfer;
 namespace foverig::hardware {
 
 /// Eight asynchronous transfers are queued at all times: a frame is stamped when its transfer ends,
-/// by the thread that reads. Each link has a libusb context of its own, as one that was made before
-/// a device was plugged in may never see it.
+/// by the thread that reads. A halted endpoint is cleared when the device is opened and whenever it
+/// halts; what halted comes as an empty packet, which a source counts as rejected. Each link has a
+/// libusb context of its own, as one that was made before a device was plugged in may never see it.
 class UsbLink final : public Link {
   public:
     /// `device` as found; errors: forbidden, busy, closed, io.
@@ -47,15 +48,20 @@ class UsbLink final : public Link {
     void start(PacketQueue& packets);
     void submit(Slot& slot);
     void take(Slot& slot);
+    void cancel_all();
+    bool any_in_flight() const;
+    void clear_halt();
     Error failed(int code) const;
 
     Context context_;
     std::string path_;
     // A control transfer on the other thread may handle the reader's events too.
-    std::mutex mutex_;  // of the four below
+    std::mutex mutex_;  // of what follows, but for the device
     std::array<Slot, kTransfers> slots_;
     PacketQueue* packets_ = nullptr;  // null: not started
     bool closing_ = false;
+    bool halted_ = false;     // to be cleared when no transfer is in flight
+    int halts_in_a_row_ = 0;  // without a frame between them
     std::optional<Error> failure_;
     Handle device_;  // last: closing it takes off libusb's list what never ended
 };

@@ -104,6 +104,41 @@ TEST_F(Tracker, HeldByAnotherProgramIsBusy) {
     EXPECT_EQ(opened.error().code, ErrorCode::busy) << opened.error().text;
 }
 
+TEST_F(Tracker, GoesOnBehindAHaltThatWasClearedAndCountsIt) {
+    MockTracker tracker(bed_);
+    tracker.answer = firmware;
+    const auto device = open();
+    ASSERT_TRUE(device) << device.error().text;
+    EXPECT_EQ(tracker.clears(), 1) << "whoever had it before may have left it halted";
+    auto source = gaze::GazeSource::open(**device, clock_).value();
+    gaze::SampleFrame frame = test::golden_sample();
+    for (int i = 0; i < 3; ++i) {
+        ++frame.header.sequence;
+        send(tracker, test::copy_of(frame.encode()));
+        ASSERT_TRUE(std::holds_alternative<GazeSample>(source.next(soon()))) << i;
+        while (!tracker.halt()) std::this_thread::yield();
+        ++frame.header.sequence;
+        send(tracker, test::copy_of(frame.encode()));
+        ASSERT_TRUE(std::holds_alternative<GazeSample>(source.next(soon()))) << i;
+    }
+    EXPECT_EQ(tracker.clears(), 4);
+    EXPECT_EQ(source.counts().rejected, 3U);
+    EXPECT_EQ(source.counts().lost, 0U);
+    EXPECT_EQ(source.counts().reconnects, 0U);
+}
+
+TEST_F(Tracker, ThatHaltsAgainAndAgainIsAFault) {
+    MockTracker tracker(bed_);
+    const auto device = open();
+    ASSERT_TRUE(device) << device.error().text;
+    tracker.stays_halted = true;
+    while (!tracker.halt()) std::this_thread::yield();
+    auto next = (*device)->next(soon());
+    while (std::holds_alternative<Packet>(next)) next = (*device)->next(soon());
+    ASSERT_TRUE(std::holds_alternative<Fault>(next));
+    EXPECT_NE(std::get<Fault>(next).error.text.find("again and again"), std::string::npos);
+}
+
 /// A tracker is idle when it was plugged in again: it is started anew.
 TEST_F(Tracker, ComesBackAndIsStartedAgain) {
     auto tracker = std::make_unique<MockTracker>(bed_);

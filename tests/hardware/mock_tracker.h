@@ -4,6 +4,7 @@
 #include <sys/ioctl.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -25,6 +26,7 @@ class MockTracker : public IoctlNode {
     /// What is answered to a request to the host; nullopt: the device stalls.
     std::function<std::optional<std::vector<std::byte>>(const Request&)> answer;
     bool claimed_by_another = false;
+    std::atomic<bool> stays_halted = false;
 
     explicit MockTracker(MockBed& bed) : bed_(bed) {
         bed.add(
@@ -39,13 +41,28 @@ class MockTracker : public IoctlNode {
 
     static constexpr const char* kNode = "/dev/bus/usb/001/002";
 
-    /// Ends the oldest transfer that waits for a frame; false where none waits.
+    /// Ends the oldest transfer that waits for a frame; false where none waits or the
+    /// endpoint is halted.
     bool send(std::span<const std::byte> frame) {
         const std::lock_guard lock(mutex_);
-        if (waiting_.empty()) return false;
+        if (halted_ || waiting_.empty()) return false;
         finish(waiting_.front(), 0, frame);
         waiting_.pop_front();
         return true;
+    }
+    /// The endpoint halts: the oldest transfer ends so, and each that is given to it until somebody
+    /// clears it.
+    bool halt() {
+        const std::lock_guard lock(mutex_);
+        if (waiting_.empty()) return false;
+        halted_ = true;
+        finish(waiting_.front(), -EPIPE, {});
+        waiting_.pop_front();
+        return true;
+    }
+    int clears() const {
+        const std::lock_guard lock(mutex_);
+        return clears_;
     }
     std::size_t waiting() const {
         const std::lock_guard lock(mutex_);
@@ -137,6 +154,14 @@ class MockTracker : public IoctlNode {
                 return claimed_by_another ? end(-1, EBUSY) : end(0);
             case USBDEVFS_RELEASEINTERFACE:
                 return end(0);
+            case USBDEVFS_CLEAR_HALT: {
+                const auto endpoint = read_u32(read_from(follow(argument, 0, 4)), 0);
+                if (endpoint != 0x81) return end(-1, EINVAL);
+                if (!waiting_.empty()) return end(-1, EBUSY);  // a kernel only warns
+                ++clears_;
+                halted_ = stays_halted;
+                return end(0);
+            }
             case USBDEVFS_SUBMITURB:
                 submit(argument);
                 return end(0);
@@ -163,6 +188,7 @@ class MockTracker : public IoctlNode {
         u.address = u.urb->client_addr;
         umockdev_ioctl_data_ref(u.urb);
         if (fields(u).type == USBDEVFS_URB_TYPE_CONTROL) return control(u);
+        if (halted_) return finish(u, -EPIPE, {});
         waiting_.push_back(u);
     }
 
@@ -190,7 +216,8 @@ class MockTracker : public IoctlNode {
     mutable std::mutex mutex_;
     std::deque<Urb> waiting_, done_;
     std::vector<Request> requests_;
-    bool gone_ = false;
+    bool gone_ = false, halted_ = false;
+    int clears_ = 0;
 };
 
 }  // namespace foverig::test
