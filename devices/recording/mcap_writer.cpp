@@ -6,8 +6,8 @@
 
 namespace foverig::mcap {
 
-Result<Writer> Writer::begin(std::unique_ptr<ByteSink> sink) {
-    Writer writer(std::move(sink));
+Result<Writer> Writer::begin(std::unique_ptr<ByteSink> sink, Compression compression) {
+    Writer writer(std::move(sink), compression);
     writer.scratch_.assign(kMagic.begin(), kMagic.end());
     append(writer.scratch_, Header{.profile = "", .library = "foverig"});
     if (auto status = writer.put_scratch(); !status) return status.error();
@@ -61,7 +61,7 @@ Status Writer::add(const Metadata& metadata) {
 }
 
 Status Writer::add(const ChunkBuilder& builder) {
-    const Chunk chunk = builder.chunk();
+    const Chunk chunk = packer_.packed(builder.chunk());
     append_chunk_head(scratch_, chunk);
     ChunkIndex index{.start_ns = chunk.start_ns,
                      .end_ns = chunk.end_ns,

@@ -5,6 +5,7 @@
 
 #include "devices/recording/byte_sink.h"
 #include "devices/recording/chunk_builder.h"
+#include "devices/recording/compression.h"
 #include "devices/recording/mcap_encode.h"
 
 namespace foverig::mcap {
@@ -12,7 +13,8 @@ namespace foverig::mcap {
 class Writer {
   public:
     /// Writes the file's head. After any error the file is torn and nothing more may be written.
-    static Result<Writer> begin(std::unique_ptr<ByteSink> sink);
+    static Result<Writer> begin(std::unique_ptr<ByteSink> sink,
+                                Compression compression = Compression::none);
 
     Status add(const Schema& schema);
     Status add(const Channel& channel);  ///< after its schema, before its messages
@@ -27,7 +29,8 @@ class Writer {
     const Statistics& statistics() const { return statistics_; }
 
   private:
-    explicit Writer(std::unique_ptr<ByteSink> sink) : sink_(std::move(sink)) {}
+    Writer(std::unique_ptr<ByteSink> sink, Compression compression)
+        : sink_(std::move(sink)), packer_(compression) {}
 
     Status put(Bytes bytes);
     Status put_scratch();
@@ -36,6 +39,7 @@ class Writer {
     void append_group(Op op, const Records& records);
 
     std::unique_ptr<ByteSink> sink_;
+    ChunkPacker packer_;
     std::uint64_t offset_ = 0;
     std::uint32_t crc_ = 0;  // of all bytes so far
     Buffer scratch_;

@@ -1,27 +1,10 @@
 #include "devices/recording/message_stream.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "devices/crc32.h"
+#include "devices/recording/chunk_records.h"
 
 namespace foverig::mcap {
-
-Result<Chunk> checked_chunk(Bytes content) {
-    auto chunk = decode_chunk(content);
-    if (!chunk) return chunk;
-    if (!chunk->compression.empty()) {
-        return Error{ErrorCode::unsupported,
-                     fmt::format("a chunk is compressed with {}; expected none (mcap compress "
-                                 "--compression none makes such a file)",
-                                 chunk->compression)};
-    }
-    if (chunk->plain_crc != 0 && crc32(chunk->records) != chunk->plain_crc) {
-        return Error{ErrorCode::invalid_data, "a chunk's checksum is wrong"};
-    }
-    return chunk;
-}
 
 MessageStream::MessageStream(const RecordFile& file, std::vector<ChunkIndex> chunks,
                              std::set<std::uint16_t> channels)
@@ -48,9 +31,9 @@ Status MessageStream::load(const ChunkIndex& index) {
     if (place->op != Op::chunk) return file_->damaged(index.offset, "no chunk where one should be");
     const auto content = file_->content(*place, buffer_);
     if (!content) return content.error();
-    const auto chunk = checked_chunk(*content);
-    if (!chunk) return file_->damaged(index.offset, chunk.error().text);
-    records_ = chunk->records;
+    const auto records = chunk_records(*content, unpacked_);
+    if (!records) return file_->damaged(index.offset, records.error().text);
+    records_ = *records;
     at_ = 0;
     return Done{};
 }

@@ -25,12 +25,9 @@ class MessageStream {
     std::vector<ChunkIndex> chunks_;
     std::set<std::uint16_t> channels_;
     std::size_t next_chunk_ = 0;
-    std::vector<std::byte> buffer_;
+    std::vector<std::byte> buffer_, unpacked_;
     Bytes records_;  // of the chunk in memory
     std::size_t at_ = 0;
 };
-
-/// A chunk's content, its checksum checked; a sentence for what is compressed or damaged.
-Result<Chunk> checked_chunk(Bytes content);
 
 }  // namespace foverig::mcap

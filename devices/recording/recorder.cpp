@@ -14,7 +14,7 @@ std::uint64_t file_time_ns(HostTime time) {
 
 Result<std::unique_ptr<Recorder>> Recorder::begin(std::unique_ptr<ByteSink> sink,
                                                   const RecorderConfig& config) {
-    auto writer = mcap::Writer::begin(std::move(sink));
+    auto writer = mcap::Writer::begin(std::move(sink), config.compression);
     if (!writer) return writer.error();
     return std::unique_ptr<Recorder>(new Recorder(std::move(writer).value(), config));
 }

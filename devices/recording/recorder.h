@@ -19,6 +19,7 @@ struct RecorderConfig {
     /// A chunk is written after this long, full or not: what a crash can cost. Real time, whatever
     /// the run's clock does.
     Nanoseconds flush_period{500'000'000};
+    mcap::Compression compression = mcap::Compression::none;
     bool wait_when_full = false;  ///< where time can wait (lockstep): wait instead of dropping
 };
 

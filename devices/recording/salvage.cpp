@@ -1,19 +1,47 @@
 #include "devices/recording/salvage.h"
 
 #include <algorithm>
+#include <optional>
 
-#include "devices/recording/message_stream.h"
+#include "devices/recording/chunk_records.h"
+#include "devices/recording/compression.h"
 
 namespace foverig::mcap {
 namespace {
 
 constexpr std::uint64_t kWindow = 1 << 20;
-constexpr std::uint64_t kStartNeeds = kRecordHead + 40;  // the fixed head of a chunk
+constexpr std::uint64_t kStartNeeds = kRecordHead + 44;  // the head of a chunk, a name of 4 letters
 
 /// Opcodes above 0x7F are private: they are passed over. The known ones end with data_end.
 bool is_known(Op op) {
     const auto code = static_cast<std::uint8_t>(op);
     return code >= 0x80 || (code > 0 && op <= Op::data_end);
+}
+
+struct ChunkStart {
+    std::uint64_t head = 0;  ///< before the records
+    std::uint64_t size = 0;  ///< of the content, head and records
+    std::uint64_t plain_size = 0;
+    bool packed = false;
+};
+
+/// What `bytes` begin with, where it is a chunk of a kind that can be read.
+std::optional<ChunkStart> chunk_start(Bytes bytes) {
+    if (bytes.size() < kStartNeeds || static_cast<Op>(read_u8(bytes, 0)) != Op::chunk) return {};
+    const std::uint32_t name_size = read_u32(bytes, kRecordHead + 28);
+    const ChunkStart start{.head = 40 + std::uint64_t{name_size},
+                           .size = read_u64(bytes, 1),
+                           .plain_size = read_u64(bytes, kRecordHead + 16),
+                           .packed = name_size != 0};
+    const Bytes name = bytes.subspan(kRecordHead + 32, 4);
+    const Bytes zstd = std::as_bytes(std::span(kZstd, 4));
+    if (start.packed && (name_size != 4 || !std::ranges::equal(name, zstd))) return {};
+    if (start.size < start.head || start.size > kLargestRecord) return {};
+    const std::uint64_t records = read_u64(bytes, kRecordHead + start.head - 8);
+    const bool fits =
+        records == start.size - start.head &&
+        (start.packed ? start.plain_size <= kLargestUnpacked : start.plain_size == records);
+    return fits ? std::optional(start) : std::nullopt;
 }
 
 }  // namespace
@@ -70,11 +98,11 @@ Status Salvage::take(const RecordPlace& place) {
 Status Salvage::take_chunk(const RecordPlace& place) {
     const auto content = file_.content(place, buffer_);
     if (!content) return content.error();
-    const auto chunk = checked_chunk(*content);
-    after_damaged_chunk_ = !chunk;
-    if (chunk) return take_records(chunk->records);
-    if (chunk.error().code == ErrorCode::unsupported) {
-        return file_.damaged(place.offset, chunk.error().text);
+    const auto records = chunk_records(*content, unpacked_);
+    after_damaged_chunk_ = !records;
+    if (records) return take_records(*records);
+    if (records.error().code == ErrorCode::unsupported) {
+        return file_.damaged(place.offset, records.error().text);
     }
     ++counts_.damaged_chunks;
     return Done{};
@@ -88,14 +116,12 @@ Result<bool> Salvage::take_torn_chunk(std::uint64_t offset) {
     if (rest < kStartNeeds || rest > kLargestRecord) return false;
     const auto bytes = file_.bytes(offset, rest, buffer_);
     if (!bytes) return bytes.error();
-    const std::uint64_t size = read_u64(*bytes, 1);
-    const bool torn_chunk = static_cast<Op>(read_u8(*bytes, 0)) == Op::chunk &&
-                            size > rest - kRecordHead && size <= kLargestRecord &&
-                            read_u32(*bytes, kRecordHead + 28) == 0 &&
-                            read_u64(*bytes, kRecordHead + 32) == size - 40;
-    if (!torn_chunk) return false;
+    const auto start = chunk_start(*bytes);
+    if (!start || start->size <= rest - kRecordHead) return false;
     ++counts_.damaged_chunks;
-    if (auto status = take_records(bytes->subspan(kStartNeeds)); !status) return status.error();
+    Bytes records = bytes->subspan(kRecordHead + start->head);
+    if (start->packed) records = unpacked_zstd(records, start->plain_size, unpacked_);
+    if (auto status = take_records(records); !status) return status.error();
     return true;
 }
 
@@ -144,17 +170,14 @@ std::uint64_t Salvage::next_start(std::uint64_t from) {
 }
 
 bool Salvage::is_start(Bytes window, std::uint64_t offset) {
-    if (static_cast<Op>(read_u8(window, 0)) != Op::chunk) return false;
-    const std::uint64_t size = read_u64(window, 1);
-    const bool consistent = size >= 40 && size <= file_.size() - offset - kRecordHead &&
-                            size <= kLargestRecord && read_u32(window, kRecordHead + 28) == 0 &&
-                            read_u64(window, kRecordHead + 16) == size - 40 &&
-                            read_u64(window, kRecordHead + 32) == size - 40;
+    const auto start = chunk_start(window);
     // A file made to look like many chunks at once must not cost more than reading it a few times.
-    if (!consistent || tried_bytes_ > 4 * file_.size()) return false;
-    tried_bytes_ += size;
-    const auto content = file_.bytes(offset + kRecordHead, size, trial_);
-    return content && checked_chunk(*content);
+    if (!start || start->size > file_.size() - offset - kRecordHead ||
+        tried_bytes_ > 4 * file_.size())
+        return false;
+    tried_bytes_ += start->size + start->plain_size / 16;
+    const auto content = file_.bytes(offset + kRecordHead, start->size, trial_);
+    return content && chunk_records(*content, unpacked_);
 }
 
 }  // namespace foverig::mcap

@@ -46,7 +46,7 @@ class Salvage {
     SalvageCounts counts_;
     bool after_damaged_chunk_ = false;
     std::uint64_t tried_bytes_ = 0;  // of chunks that were tried as starts
-    std::vector<std::byte> buffer_, window_, trial_;
+    std::vector<std::byte> buffer_, window_, trial_, unpacked_;
 };
 
 }  // namespace foverig::mcap

@@ -137,6 +137,10 @@ void add_output_keys(std::vector<Key>& keys) {
     keys.push_back(flag_key(
         "recording.decoded", "samples beside the bytes, to plot them; false: a quarter of the size",
         [](auto& s) -> auto& { return s.recording.decoded; }));
+    keys.push_back(choice_key(
+        "recording.compression", {"none", "zstd"},
+        "of the file's chunks; zstd: smaller, for some of a core's time",
+        [](auto& s) -> auto& { return s.recording.compression; }));
     keys.push_back(number_key(
         "replay.speed", "", {0.01, 1000.0},
         "how fast a recording goes on the wall clock; lockstep goes as fast as possible",

@@ -66,7 +66,8 @@ struct ImageSettings {
 
 struct RecordingSettings {
     bool enabled = false;
-    bool decoded = true;  ///< samples beside the bytes they came from, for plots
+    bool decoded = true;               ///< samples beside the bytes they came from, for plots
+    std::string compression = "none";  ///< of the file's chunks: none or zstd
 };
 
 /// Of `devices = "hardware"`. head and gaze: required; auto (simulated where there is none); sim.

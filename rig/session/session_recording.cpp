@@ -63,8 +63,11 @@ SessionRecording::SessionRecording(const std::filesystem::path& file, const Scen
     : SessionRecording(std::make_unique<FileSink>(or_throw(FileSink::create(file))), scenario) {}
 
 SessionRecording::SessionRecording(std::unique_ptr<ByteSink> sink, const Scenario& scenario)
-    : recorder_(or_throw(
-          Recorder::begin(std::move(sink), {.wait_when_full = scenario.clock == "lockstep"}))),
+    : recorder_(or_throw(Recorder::begin(
+          std::move(sink),
+          {.compression = scenario.recording.compression == "zstd" ? mcap::Compression::zstd
+                                                                   : mcap::Compression::none,
+           .wait_when_full = scenario.clock == "lockstep"}))),
       decoded_(scenario.recording.decoded),
       frames_(recorder_->add_topic({.topic = "/frames",
                                     .message_encoding = "json",

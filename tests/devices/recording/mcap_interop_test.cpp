@@ -18,6 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::vector<std::byte> content_of(const fs::path& file) {
+    const auto source = FileSource::open(file);
+    std::vector<std::byte> bytes(source ? source->size() : 0);
+    return source && source->read(0, bytes) ? bytes : std::vector<std::byte>{};
+}
+
 /// The package in a folder of each test's own, below where the tests run; its versions are pinned
 /// by the lock file. Skips where node, npm or the package cannot be had.
 class McapInterop : public testing::Test {
@@ -33,7 +39,10 @@ class McapInterop : public testing::Test {
         if (!runs("node --version") || !runs("npm --version")) {
             GTEST_SKIP() << "no node or no npm here";
         }
-        if (!fs::exists(folder_ / "node_modules/@mcap/core") &&
+        const auto installed = [&](const char* package) {
+            return fs::exists(folder_ / "node_modules" / package);
+        };
+        if ((!installed("@mcap/core") || !installed("@foxglove/wasm-zstd")) &&
             !runs("npm ci --no-audit --no-fund")) {
             GTEST_SKIP() << "npm cannot install @mcap/core here";
         }
@@ -52,15 +61,19 @@ class McapInterop : public testing::Test {
         return lines;
     }
 
+    void they_read_what_we_write(mcap::Compression compression) const;
+    void we_read_what_they_write(const std::string& kind) const;
+
     fs::path folder_;
 };
 
-TEST_F(McapInterop, TheyReadWhatWeWrite) {
+void McapInterop::they_read_what_we_write(mcap::Compression compression) const {
     auto sink = FileSink::create(folder_ / "ours.mcap");
     ASSERT_TRUE(sink) << sink.error().text;
-    auto recorder = Recorder::begin(std::make_unique<FileSink>(std::move(sink).value()),
-                                    {.chunk_bytes = 4096, .wait_when_full = true})
-                        .value();
+    auto recorder =
+        Recorder::begin(std::make_unique<FileSink>(std::move(sink).value()),
+                        {.chunk_bytes = 4096, .compression = compression, .wait_when_full = true})
+            .value();
     const std::array topics{recorder->add_topic({.topic = "/a", .message_encoding = "x-hid"}),
                             recorder->add_topic({.topic = "/b",
                                                  .message_encoding = "json",
@@ -89,6 +102,17 @@ TEST_F(McapInterop, TheyReadWhatWeWrite) {
     EXPECT_EQ(output(), expected);
 }
 
+TEST_F(McapInterop, TheyReadWhatWeWrite) {
+    they_read_what_we_write(mcap::Compression::none);
+}
+
+TEST_F(McapInterop, TheyReadWhatWePack) {
+    they_read_what_we_write(mcap::Compression::zstd);
+    const auto summary = mcap::read_summary(*test::open_bytes(content_of(folder_ / "ours.mcap")));
+    EXPECT_EQ(summary->chunks.at(0).compression, "zstd");
+    EXPECT_LT(summary->chunks.at(0).packed_size, summary->chunks.at(0).plain_size);
+}
+
 std::vector<test::Line> their_lines(int n) {
     std::vector<test::Line> lines;
     for (int i = 0; i < n; ++i) {
@@ -99,14 +123,8 @@ std::vector<test::Line> their_lines(int n) {
     return lines;
 }
 
-std::vector<std::byte> content_of(const fs::path& file) {
-    const auto source = FileSource::open(file);
-    std::vector<std::byte> bytes(source ? source->size() : 0);
-    return source && source->read(0, bytes) ? bytes : std::vector<std::byte>{};
-}
-
-TEST_F(McapInterop, WeReadWhatTheyWriteByItsIndex) {
-    ASSERT_TRUE(runs("node interop.mjs write chunks theirs.mcap 2000"));
+void McapInterop::we_read_what_they_write(const std::string& kind) const {
+    ASSERT_TRUE(runs("node interop.mjs write " + kind + " theirs.mcap 2000"));
     const auto bytes = content_of(folder_ / "theirs.mcap");
     const auto lines = test::lines_of(bytes);
     ASSERT_TRUE(lines) << lines.error().text;
@@ -121,6 +139,15 @@ TEST_F(McapInterop, WeReadWhatTheyWriteByItsIndex) {
     const auto metadata =
         file->decoded(summary->metadata.at(0).offset, mcap::Op::metadata, mcap::decode_metadata);
     EXPECT_EQ(metadata->texts.at("x"), "y");
+    EXPECT_EQ(summary->chunks.at(0).compression, kind == "packed" ? "zstd" : "");
+}
+
+TEST_F(McapInterop, WeReadWhatTheyWriteByItsIndex) {
+    we_read_what_they_write("chunks");
+}
+
+TEST_F(McapInterop, WeReadWhatTheyPackByItsIndex) {
+    we_read_what_they_write("packed");
 }
 
 TEST_F(McapInterop, WeReadWhatTheyWriteFromFrontToBack) {

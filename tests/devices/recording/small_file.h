@@ -29,9 +29,9 @@ inline Line line(int i) {
 
 inline constexpr int kChunks = 3, kLinesPerChunk = 4, kLines = kChunks * kLinesPerChunk;
 
-inline std::vector<std::byte> small_file() {
+inline std::vector<std::byte> small_file(mcap::Compression compression = mcap::Compression::none) {
     Disk disk;
-    auto writer = mcap::Writer::begin(std::make_unique<MemorySink>(disk)).value();
+    auto writer = mcap::Writer::begin(std::make_unique<MemorySink>(disk), compression).value();
     bool good = true;
     const auto add = [&](const auto& record) { good = good && writer.add(record); };
     add(mcap::Schema{.id = 1, .name = "S", .encoding = "jsonschema", .data = "{}"});

@@ -1,8 +1,12 @@
 // node interop.mjs read stream|index FILE: every message as "topic sequence log publish crc size".
-// node interop.mjs write chunks|plain FILE N: a file of N messages by the rule of mcap_interop_test.cpp.
+// node interop.mjs write chunks|packed|plain FILE N: a file of N messages by the rule of mcap_interop_test.cpp.
 import { open } from "node:fs/promises";
 import { crc32 } from "@foxglove/crc";
+import zstd from "@foxglove/wasm-zstd";
 import { McapIndexedReader, McapStreamReader, McapWriter } from "@mcap/core";
+
+await zstd.isLoaded;
+const decompressHandlers = { zstd: (packed, size) => zstd.decompress(packed, Number(size)) };
 
 const [, , task, kind, path, count] = process.argv;
 
@@ -12,7 +16,7 @@ function show(topics, message) {
 }
 
 async function readStream(file) {
-  const reader = new McapStreamReader({ validateCrcs: true });
+  const reader = new McapStreamReader({ validateCrcs: true, decompressHandlers });
   reader.append(new Uint8Array(await file.readFile()));
   const topics = new Map();
   for (let record; (record = reader.nextRecord()); ) {
@@ -31,7 +35,7 @@ async function readIndex(file) {
       return bytes;
     },
   };
-  const reader = await McapIndexedReader.Initialize({ readable });
+  const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers });
   const topics = new Map([...reader.channelsById].map(([id, channel]) => [id, channel.topic]));
   let messages = 0n;
   for await (const message of reader.readMessages({ validateCrcs: true })) {
@@ -56,7 +60,9 @@ async function write(file) {
     },
     position: () => position,
   };
-  const writer = new McapWriter({ writable, useChunks: kind === "chunks", chunkSize: 4096 });
+  const compressChunk =
+    kind === "packed" ? (data) => ({ compression: "zstd", compressedData: zstd.compress(data, 3) }) : undefined;
+  const writer = new McapWriter({ writable, useChunks: kind !== "plain", chunkSize: 4096, compressChunk });
   await writer.start({ profile: "", library: "interop.mjs" });
   const schemaId = await writer.registerSchema({
     name: "S",
