@@ -66,7 +66,7 @@ ExitCode record_command(const RecordRequest& request) {
     RunClock clock(scenario.clock, Cost{}, replay_speed(scenario));
     const auto world = make_world(scenario, clock.clock());
     SessionRecording recording(file, scenario);
-    DeviceStreams devices(*world, clock.clock(), &recording);
+    DeviceStreams devices(scenario, *world, clock.clock(), &recording);
     const Interrupt interrupt;
     const HostTime end = clock.now() + from_seconds(scenario.settle_s) + duration_of(scenario);
     while (clock.now() < end && !interrupt.requested() && !world->at_end()) {

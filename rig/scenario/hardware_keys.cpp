@@ -21,6 +21,23 @@ Key usb_id_key() {
     return key;
 }
 
+/// What SGZ1 knows; whether the tracker has it is known when it is opened.
+Key gaze_rate_key() {
+    Key key = integer_key(
+        "tracking.gaze_rate_hz", "Hz", {},
+        "samples per second that the gaze tracker is set to; a recording keeps its own",
+        [](auto& s) -> auto& { return s.tracking.gaze_rate_hz; });
+    key.expected = "60, 120 or 250 (Hz)";
+    key.set = [expected = key.expected](Scenario& s,
+                                        const KeyValue& v) -> std::optional<std::string> {
+        const auto rate_hz = std::get<std::int64_t>(v);
+        if (rate_hz != 60 && rate_hz != 120 && rate_hz != 250) return expected;
+        s.tracking.gaze_rate_hz = static_cast<int>(rate_hz);
+        return std::nullopt;
+    };
+    return key;
+}
+
 }  // namespace
 
 void add_hardware_keys(std::vector<Key>& keys) {
@@ -54,6 +71,7 @@ void add_hardware_keys(std::vector<Key>& keys) {
         "the headset's LEDs blink and the tracker camera holds position and yaw; false: inertial "
         "sensor alone",
         [](auto& s) -> auto& { return s.tracking.camera; }));
+    keys.push_back(gaze_rate_key());
 }
 
 }  // namespace foverig

@@ -5,7 +5,7 @@
 
 namespace foverig {
 
-/// hardware.*
+/// hardware.* and tracking.*
 void add_hardware_keys(std::vector<Key>& keys);
 
 }  // namespace foverig

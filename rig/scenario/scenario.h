@@ -81,9 +81,10 @@ struct HardwareSettings {
     std::string gaze_usb_id = "1209:0001";
 };
 
-/// How the head is followed.
+/// How head and eyes are followed.
 struct TrackingSettings {
-    bool camera = false;  ///< the tracker camera holds position and yaw; else the gyro alone
+    bool camera = false;    ///< the tracker camera holds position and yaw; else the gyro alone
+    int gaze_rate_hz = 60;  ///< of the gaze tracker's samples: 60, 120 or 250
 };
 
 /// Of `devices = "replay:FILE"`.

@@ -7,6 +7,10 @@ namespace {
 
 constexpr Nanoseconds kStep{10'000'000};
 
+gaze::GazeSourceConfig gaze_config(const Scenario& scenario) {
+    return {.rate_hz = static_cast<std::uint16_t>(scenario.tracking.gaze_rate_hz)};
+}
+
 template <class Sample>
 std::function<void(const Sample&)> sample_log(SessionRecording* recording) {
     if (recording == nullptr) return {};
@@ -15,8 +19,12 @@ std::function<void(const Sample&)> sample_log(SessionRecording* recording) {
 
 }  // namespace
 
-DeviceStreams::DeviceStreams(World& world, Clock& clock, SessionRecording* recording)
-    : clock_(clock), recording_(recording), head_(open_head(world)), gaze_(open_gaze(world)) {
+DeviceStreams::DeviceStreams(const Scenario& scenario, World& world, Clock& clock,
+                             SessionRecording* recording)
+    : clock_(clock),
+      recording_(recording),
+      head_(open_head(world)),
+      gaze_(open_gaze(scenario, world)) {
     if (recording_ == nullptr) return;
     recording_->calibration(head_.calibration());
     recording_->calibration(gaze_.info());
@@ -37,10 +45,10 @@ HeadTracker DeviceStreams::open_head(World& world) {
             CameraFeed{.transport = camera, .on_fix = sample_log<PoseFix>(recording_)}};
 }
 
-GazeTracker DeviceStreams::open_gaze(World& world) {
+GazeTracker DeviceStreams::open_gaze(const Scenario& scenario, World& world) {
     Transport* tracker = &world.gaze_tracker();
     if (recording_ != nullptr) tracker = &recording_->gaze_tracker(*tracker, clock_);
-    return {*tracker, clock_, sample_log<GazeSample>(recording_)};
+    return {*tracker, clock_, sample_log<GazeSample>(recording_), gaze_config(scenario)};
 }
 
 std::vector<DeviceRecord> DeviceStreams::records() const {

@@ -10,9 +10,10 @@ namespace foverig {
 
 class DeviceStreams {
   public:
-    /// Opens the devices; throws DeviceError where one does not answer. `recording` may be null;
-    /// all outlive this.
-    DeviceStreams(World& world, Clock& clock, SessionRecording* recording);
+    /// Opens the devices as `scenario` asks; throws DeviceError where one does not answer.
+    /// `recording` may be null; world, clock and recording outlive this.
+    DeviceStreams(const Scenario& scenario, World& world, Clock& clock,
+                  SessionRecording* recording);
 
     /// Takes all that arrived until now in steps, for `duration`: clock maps and fusion settle.
     void run_for(Nanoseconds duration);
@@ -25,7 +26,7 @@ class DeviceStreams {
 
   private:
     HeadTracker open_head(World& world);
-    GazeTracker open_gaze(World& world);
+    GazeTracker open_gaze(const Scenario& scenario, World& world);
 
     Clock& clock_;
     SessionRecording* recording_;

@@ -6,8 +6,9 @@
 namespace foverig {
 
 GazeTracker::GazeTracker(Transport& transport, const Clock& clock,
-                         std::function<void(const GazeSample&)> on_sample)
-    : source_(opened("gaze", gaze::GazeSource::open(transport, clock))),
+                         std::function<void(const GazeSample&)> on_sample,
+                         const gaze::GazeSourceConfig& config)
+    : source_(opened("gaze", gaze::GazeSource::open(transport, clock, config))),
       on_sample_(std::move(on_sample)) {}
 
 void GazeTracker::read_until(HostTime deadline) {

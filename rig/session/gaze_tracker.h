@@ -13,10 +13,11 @@ namespace foverig {
 
 class GazeTracker {
   public:
-    /// Throws DeviceError where the tracker does not answer. Both outlive this. `on_sample` sees
-    /// each sample before it is filtered.
+    /// Throws DeviceError where the tracker does not answer or cannot do what `config` asks. Both
+    /// outlive this. `on_sample` sees each sample before it is filtered.
     GazeTracker(Transport& transport, const Clock& clock,
-                std::function<void(const GazeSample&)> on_sample = {});
+                std::function<void(const GazeSample&)> on_sample = {},
+                const gaze::GazeSourceConfig& config = {});
 
     /// Takes all that arrived by `deadline`. A fault (unplugged) leaves the last gaze standing.
     void read_until(HostTime deadline);

@@ -33,7 +33,7 @@ Session::Session(const Scenario& scenario, const Scene& scene, Renderer& rendere
       clock_(scenario.clock, parse_cost(scenario.cost).value_or(Cost{}), replay_speed(scenario)),
       recording_(recording),
       world_(make_world(scenario, clock_.clock(), live)),
-      devices_(*world_, clock_.clock(), recording),
+      devices_(scenario, *world_, clock_.clock(), recording),
       flight_(scenario.camera, scene),
       views_(scenario.display),
       pacing_(scenario.display.pacing, world_->display()) {}

@@ -64,7 +64,7 @@ class Replayed {
           end_(Recording::open(file_).value().last()),
           scenario_(recorded_scenario(file_)),
           world_(make_world(scenario_, clock_)),
-          streams_(*world_, clock_, nullptr) {
+          streams_(scenario_, *world_, clock_, nullptr) {
         streams_.run_for(end_ - clock_.now());
     }
 

@@ -260,6 +260,18 @@ TEST(Session, CountsSamplesAtTheirRates) {
     EXPECT_EQ(r.devices[0].counts.lost, 0U);
 }
 
+TEST(Session, SetsTheGazeTrackersRate) {
+    Scenario s = scenario_of(10.0, 75);
+    s.tracking.gaze_rate_hz = 250;
+    const RunRecord r = run(s);
+    EXPECT_NEAR(r.devices[1].rate_hz.value_or(0.0), 250.0, 1.0);
+    for (const FrameRecord& f : r.frames) {
+        ASSERT_TRUE(f.gaze);
+        // At most a period, 12 ms in the tracker and 1 ms on USB.
+        EXPECT_LT(to_ms(f.begin - f.gaze->taken), 1000.0 / 250.0 + 13.5);
+    }
+}
+
 // The panel reads its corner pixel back over HID (DEVICES.md 1.7): what it says must agree with
 // what the panel model knows.
 TEST(Session, AgreesWithThePanelsReadBack) {
