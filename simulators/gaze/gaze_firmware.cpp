@@ -124,9 +124,11 @@ gaze::FrameHeader GazeFirmware::header(HostTime queued_at) {
 void GazeFirmware::queue_sample(std::deque<Packet>& wire) {
     Queued queued = measured_.front();
     measured_.pop_front();
+    // What a sample ends is told before it: the host counts the same samples.
+    follow_points(queued);
+    while (!told_.empty()) queue_calibration(wire);
     queued.frame.header = header(queued.at);
     ++status_.sent;
-    follow_points(queued);
     auto bytes = to_vector(queued.frame.encode());
     const auto ordered = [](int& count) { return count > 0 && count-- > 0; };
     const bool dropped = ordered(orders_.drop) || happens(settings_.faults.dropout, kDropped);
