@@ -30,6 +30,12 @@ void Progress::show(const SessionProgress& progress) {
     std::fflush(stderr);
 }
 
+void Progress::say(const std::string& text) {
+    fmt::print(stderr, "{}{}\n", line_open_ ? "\r\x1b[2K" : "", text);
+    std::fflush(stderr);
+    line_open_ = false;
+}
+
 void Progress::done() {
     if (line_open_) fmt::print(stderr, "\n");
     line_open_ = false;

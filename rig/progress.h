@@ -10,6 +10,8 @@ class Progress {
   public:
     Progress();
     void show(const SessionProgress& progress);
+    /// A line of its own, at once.
+    void say(const std::string& text);
     /// Ends the rewritten line.
     void done();
 

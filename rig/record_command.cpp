@@ -67,6 +67,7 @@ ExitCode record_command(const RecordRequest& request) {
     const auto world = make_world(scenario, clock.clock());
     SessionRecording recording(file, scenario);
     DeviceStreams devices(scenario, *world, clock.clock(), &recording);
+    devices.tell([](const std::string& text) { fmt::print(stderr, "{}\n", text); });
     const Interrupt interrupt;
     const HostTime end = clock.now() + from_seconds(scenario.settle_s) + duration_of(scenario);
     while (clock.now() < end && !interrupt.requested() && !world->at_end()) {

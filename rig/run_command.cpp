@@ -61,6 +61,7 @@ RunRecord run_session(const Scenario& scenario, const Scene& scene, Renderer& re
     std::optional<FrameInput> last;
     SessionHooks hooks;
     attach(live, interrupt, hooks);
+    hooks.notice = [&](const std::string& text) { progress.say(text); };
     hooks.progress = [&](const SessionProgress& done) { progress.show(done); };
     hooks.frame_done = [&](const FrameRecord& frame, const FrameInput& input, double share) {
         last = input;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace foverig {
@@ -40,6 +41,29 @@ std::string spread(const json& d, const char* unit) {
     if (!d.is_object()) return "not measured";
     return fmt::format("p50 {}  p99 {}  max {}", number(d["p50"], unit), number(d["p99"], unit),
                        number(d["max"], unit));
+}
+
+/// When each device was not there; the first three times of each.
+std::string outages(const json& devices) {
+    constexpr std::size_t kShown = 3;
+    std::string text;
+    for (const auto& [name, device] : devices.items()) {
+        const json all = device.value("outages", json());
+        if (!all.is_array() || all.empty()) continue;
+        std::string times;
+        for (std::size_t i = 0; i < std::min(all.size(), kShown); ++i) {
+            const json &lost = all[i]["lost_s"], &back = all[i]["back_s"];
+            times += fmt::format(
+                "{}at {:.2f} s {}", i == 0 ? "" : ", ", lost.get<double>(),
+                back.is_number()
+                    ? fmt::format("for {:.2f} s", back.get<double>() - lost.get<double>())
+                    : "for good");
+        }
+        if (all.size() > kShown) times += fmt::format(" and {} times more", all.size() - kShown);
+        text +=
+            fmt::format("lost              {}: {}; its last sample stood meanwhile\n", name, times);
+    }
+    return text;
 }
 
 }  // namespace
@@ -94,14 +118,7 @@ std::string summary_text(const json& s) {
         if (const auto frames_with = display["hud_frames"].get<std::uint64_t>(); frames_with > 0)
             text += fmt::format("hud               its cost is in {} frames\n", frames_with);
     }
-    const json devices = s.value("devices", json::object());
-    for (const auto& [name, device] : devices.items()) {
-        const json reconnects = device.value("reconnects", json());
-        if (!reconnects.is_number() || reconnects.get<std::uint64_t>() == 0) continue;
-        text += fmt::format(
-            "unplugged         {}: came back {} times; its last sample stood meanwhile\n", name,
-            reconnects.get<std::uint64_t>());
-    }
+    text += outages(s.value("devices", json::object()));
     for (const json& image : s.value("images", json::array())) {
         if (!image.contains("mean_absolute_error")) continue;
         text += fmt::format("error to full     {:.2f} % of full scale (frame {}, {} eye)\n",

@@ -12,10 +12,18 @@
 
 namespace foverig {
 
+/// A device was not there.
+struct Outage {
+    HostTime lost{};
+    std::optional<HostTime> back;  ///< none: not before the run's end
+    std::string why;
+};
+
 struct DeviceRecord {
     std::string name;
     SourceCounts counts;
     std::optional<double> rate_hz;  ///< samples over the time they were taken in
+    std::vector<Outage> outages{};
 };
 
 /// A window that showed the frames.

@@ -109,23 +109,32 @@ json latencies(const std::vector<FrameRecord>& frames) {
         {"gaze_error_deg", spread(frames, [](const FrameRecord& f) { return f.gaze_error_deg; })}};
 }
 
+/// Times as in frames.csv, of the host's clock.
+json outages_json(const std::vector<Outage>& outages) {
+    json all = json::array();
+    for (const Outage& outage : outages) {
+        const auto seconds = [](HostTime time) { return to_seconds(time.time_since_epoch()); };
+        all.push_back({{"lost_s", seconds(outage.lost)},
+                       {"back_s", outage.back ? json(seconds(*outage.back)) : json(nullptr)},
+                       {"why", outage.why}});
+    }
+    return all;
+}
+
 json devices_json(const RunRecord& run) {
     json all = json::object();
     for (const DeviceRecord& device : run.devices) {
-        all[device.name] = {{"samples", device.counts.samples},
-                            {"lost", device.counts.lost},
-                            {"rejected", device.counts.rejected},
-                            {"reconnects", device.counts.reconnects},
-                            {"rate_hz", or_null(device.rate_hz)}};
+        all[device.name] = {
+            {"samples", device.counts.samples},        {"lost", device.counts.lost},
+            {"rejected", device.counts.rejected},      {"reconnects", device.counts.reconnects},
+            {"outages", outages_json(device.outages)}, {"rate_hz", or_null(device.rate_hz)}};
     }
     // It sends nothing of its own that could be lost or malformed: read-backs ride in the headset's
     // reports, and are counted there.
     const PanelRecord panel = panel_record(run.frames);
-    all["panel"] = {{"samples", panel.samples},
-                    {"lost", nullptr},
-                    {"rejected", nullptr},
-                    {"reconnects", nullptr},
-                    {"rate_hz", or_null(panel.rate_hz)}};
+    all["panel"] = {{"samples", panel.samples}, {"lost", nullptr},
+                    {"rejected", nullptr},      {"reconnects", nullptr},
+                    {"outages", nullptr},       {"rate_hz", or_null(panel.rate_hz)}};
     return all;
 }
 

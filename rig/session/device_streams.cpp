@@ -30,13 +30,18 @@ DeviceStreams::DeviceStreams(const Scenario& scenario, World& world, Clock& cloc
     recording_->calibration(gaze_.info());
 }
 
+Transport& DeviceStreams::watched(const char* name, Transport& device) {
+    return watched_.try_emplace(name, device, name, clock_, notice_).first->second;
+}
+
 HeadTracker DeviceStreams::open_head(World& world) {
-    Transport* headset = &world.headset();
+    Transport* headset = &watched("dk2", world.headset());
     if (recording_ != nullptr) {
         recording_->begin(world.initial_yaw_rad());
         headset = &recording_->headset(*headset, clock_);
     }
     Transport* camera = world.tracker_camera();
+    if (camera != nullptr) camera = &watched("camera", *camera);
     if (camera != nullptr && recording_ != nullptr) {
         camera = &recording_->tracker_camera(*camera, clock_);
     }
@@ -46,7 +51,7 @@ HeadTracker DeviceStreams::open_head(World& world) {
 }
 
 GazeTracker DeviceStreams::open_gaze(const Scenario& scenario, World& world) {
-    Transport* tracker = &world.gaze_tracker();
+    Transport* tracker = &watched("gaze", world.gaze_tracker());
     if (recording_ != nullptr) tracker = &recording_->gaze_tracker(*tracker, clock_);
     return {*tracker, clock_, sample_log<GazeSample>(recording_), gaze_config(scenario)};
 }
@@ -54,6 +59,7 @@ GazeTracker DeviceStreams::open_gaze(const Scenario& scenario, World& world) {
 std::vector<DeviceRecord> DeviceStreams::records() const {
     std::vector<DeviceRecord> records{head_.record(), gaze_.record()};
     if (const auto camera = head_.camera_record()) records.push_back(*camera);
+    for (DeviceRecord& record : records) record.outages = watched_.at(record.name).outages();
     return records;
 }
 

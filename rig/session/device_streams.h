@@ -1,9 +1,12 @@
 #pragma once
 // The devices of a world, decoded, and recorded where a recording is given: what a run and
 // `foverig record` share.
+#include <map>
+
 #include "rig/session/gaze_tracker.h"
 #include "rig/session/head_tracker.h"
 #include "rig/session/session_recording.h"
+#include "rig/session/watched_transport.h"
 #include "rig/session/world.h"
 
 namespace foverig {
@@ -14,6 +17,12 @@ class DeviceStreams {
     /// `recording` may be null; world, clock and recording outlive this.
     DeviceStreams(const Scenario& scenario, World& world, Clock& clock,
                   SessionRecording* recording);
+
+    DeviceStreams(const DeviceStreams&) = delete;
+    DeviceStreams& operator=(const DeviceStreams&) = delete;
+
+    /// From now on `notice` hears of each device that is lost, and of each that is back.
+    void tell(Notice notice) { notice_ = std::move(notice); }
 
     /// Takes all that arrived until now in steps, for `duration`: clock maps and fusion settle.
     void run_for(Nanoseconds duration);
@@ -27,9 +36,12 @@ class DeviceStreams {
   private:
     HeadTracker open_head(World& world);
     GazeTracker open_gaze(const Scenario& scenario, World& world);
+    Transport& watched(const char* name, Transport& device);
 
     Clock& clock_;
     SessionRecording* recording_;
+    Notice notice_;
+    std::map<std::string, WatchedTransport> watched_;  // by the devices' names
     HeadTracker head_;
     GazeTracker gaze_;
 };

@@ -39,6 +39,7 @@ Session::Session(const Scenario& scenario, const Scene& scene, Renderer& rendere
       pacing_(scenario.display.pacing, world_->display()) {}
 
 RunRecord Session::run(const SessionHooks& hooks) {
+    devices_.tell(hooks.notice);
     devices_.run_for(from_seconds(scenario_.settle_s));
     start_ = clock_.now();
     bool interrupted = false;

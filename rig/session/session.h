@@ -29,6 +29,8 @@ struct SessionHooks {
     std::function<void(HostTime)> frame_begins = [](HostTime) {};
     /// At a fixed cost: what the frame that begins will cost; none: what the scenario says.
     std::function<std::optional<double>()> fixed_ms = [] { return std::nullopt; };
+    /// A device was lost, or is back: one sentence, as soon as a frame asks the devices.
+    Notice notice{};
     std::function<void(const SessionProgress&)> progress = [](const SessionProgress&) {};
     /// Returns whether images were kept of that frame.
     std::function<bool(const FrameRecord&, const FrameInput&, double share)> frame_done =

@@ -141,8 +141,22 @@ TEST_F(RunRecords, ListThePanelAmongTheDevices) {
     EXPECT_GT(panel["samples"], 6) << "most corner pixels are read back";
     EXPECT_LE(panel["samples"], 12);
     EXPECT_NEAR(panel["rate_hz"].get<double>(), 75.0, 0.01);
-    for (const char* key : {"lost", "rejected", "reconnects"})
+    for (const char* key : {"lost", "rejected", "reconnects", "outages"})
         EXPECT_TRUE(panel[key].is_null()) << key << ": a panel sends nothing of its own";
+}
+
+TEST_F(RunRecords, TellOfADeviceThatWasUnplugged) {
+    const Outcome run =
+        small_run("run", {"--frames", "40", "--set", "settle_s=0.1", "--set",
+                          "faults.dk2.unplug_at=0.3", "--set", "faults.dk2.unplug_for=0.1"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.err.find("dk2 is lost at 0.3"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("dk2 is back at 0.40 s"), std::string::npos) << run.err;
+    EXPECT_NE(run.out.find("lost              dk2: at 0.3"), std::string::npos) << run.out;
+    const auto dk2 = nlohmann::json::parse(text_of(root_ / "run/summary.json"))["devices"]["dk2"];
+    ASSERT_EQ(dk2["outages"].size(), 1U);
+    EXPECT_NEAR(dk2["outages"][0]["lost_s"].get<double>(), 0.3, 0.02);
+    EXPECT_NEAR(dk2["outages"][0]["back_s"].get<double>(), 0.4, 0.002);
 }
 
 TEST_F(RunRecords, RunsAgainFromItsOwnScenario) {

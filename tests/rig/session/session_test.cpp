@@ -228,6 +228,48 @@ TEST(Session, ASlowFrameIsNoLostHeadset) {
     for (const FrameRecord& f : r.frames) EXPECT_FALSE(f.pose_stale) << f.frame;
 }
 
+/// Of each device one sentence when it is lost and one when it is back, before the frames that
+/// follow, and the same in the records.
+TEST(Session, SaysAtOnceWhichDeviceIsLostAndWhenItIsBack) {
+    Scenario s = scenario_of(10.0, 120);
+    s.faults.dk2.unplug_at = 0.7;
+    s.faults.dk2.unplug_for = 0.2;
+    s.faults.gaze.unplug_at = 1.2;
+    s.faults.gaze.unplug_for = 1e3;
+    FakeRenderer renderer;
+    std::vector<std::string> said;
+    std::vector<std::size_t> frames_before;
+    std::size_t frames = 0;
+    SessionHooks hooks;
+    hooks.notice = [&](const std::string& text) {
+        said.push_back(text);
+        frames_before.push_back(frames);
+    };
+    hooks.frame_done = [&](const FrameRecord&, const FrameInput&, double) {
+        ++frames;
+        return false;
+    };
+    const RunRecord r = run(s, renderer, hooks);
+    ASSERT_EQ(said.size(), 3U);
+    EXPECT_EQ(said[0].find("dk2 is lost at 0.7"), 0U) << said[0];
+    EXPECT_NE(said[0].find("faults.dk2.unplug_at"), std::string::npos) << said[0];
+    EXPECT_EQ(said[1].find("dk2 is back at 0.90 s"), 0U) << said[1];
+    EXPECT_EQ(said[2].find("gaze is lost at 1.2"), 0U) << said[2];
+    const double settled_s = s.settle_s;
+    EXPECT_NEAR(static_cast<double>(frames_before[0]), (0.7 - settled_s) * 75.0, 1.5);
+    EXPECT_NEAR(static_cast<double>(frames_before[2]), (1.2 - settled_s) * 75.0, 1.5);
+
+    ASSERT_EQ(r.devices[0].outages.size(), 1U);
+    const Outage& of_head = r.devices[0].outages[0];
+    // Shown by the first frame after it; back with the first report.
+    EXPECT_NEAR(to_seconds(of_head.lost.time_since_epoch()), 0.7, 1.0 / 75.0);
+    EXPECT_GE(to_seconds(of_head.lost.time_since_epoch()), 0.7);
+    ASSERT_TRUE(of_head.back.has_value());
+    EXPECT_NEAR(to_seconds(of_head.back->time_since_epoch()), 0.9, 0.002);
+    ASSERT_EQ(r.devices[1].outages.size(), 1U);
+    EXPECT_FALSE(r.devices[1].outages[0].back.has_value());
+}
+
 TEST(Session, SaysWhereItWentOnWithAnOldGaze) {
     Scenario s = scenario_of(10.0, 120);
     s.faults.gaze.unplug_at = 0.7;
