@@ -44,16 +44,15 @@ constexpr double kFrameRate_hz = 60.0, kFrameBits = 752.0 * 480.0 * 8.0;
 
 /// Its frames need a high-speed port (DEVICES.md 1.8).
 std::string tracker_cameras() {
-    std::vector<hardware::FoundDevice> devices;
     std::string ports;
     for (const hardware::FoundCamera& camera : hardware::find_cameras()) {
         if (camera.id != hardware::kDk2Camera) continue;
-        devices.push_back(camera.device);
         if (camera.usb_mbit_s == 0) continue;
         ports += fmt::format("; its frames take {:.0f} of the port's {:.0f} Mbit/s{}",
                              kFrameRate_hz * kFrameBits * 1e-6, camera.usb_mbit_s,
                              camera.usb_mbit_s < 480 ? ": too slow a port" : "");
     }
+    const auto devices = hardware::find_cameras_of(hardware::kDk2Camera);
     return said_of(devices, fmt::format("none seen (DK2's camera, USB {})",
                                         hardware::text_of(hardware::kDk2Camera))) +
            ports;

@@ -9,6 +9,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "devices/hardware/holders.h"
+#include "devices/hardware/usb_bus.h"
+
 namespace foverig::hardware {
 namespace {
 
@@ -35,11 +38,10 @@ std::optional<Error> busy_problem(const std::string& path, VideoCalls& calls) {
     v4l2_requestbuffers none{};
     none.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     none.memory = V4L2_MEMORY_MMAP;
-    const bool busy = calls.ioctl(file, VIDIOC_REQBUFS, &none) < 0 && errno == EBUSY;
+    const bool streams = calls.ioctl(file, VIDIOC_REQBUFS, &none) < 0 && errno == EBUSY;
     (void)calls.close(file);
-    if (!busy) return std::nullopt;
-    return Error{ErrorCode::busy,
-                 fmt::format("{} is held by another program; end that one first", path)};
+    if (!streams) return std::nullopt;
+    return busy(path);
 }
 
 }  // namespace
@@ -72,6 +74,7 @@ std::vector<FoundDevice> find_cameras_of(const UsbId& id) {
     for (FoundCamera& camera : find_cameras()) {
         if (camera.id == id) found.push_back(std::move(camera.device));
     }
+    for (FoundDevice& device : find_without_node(id, "video4linux")) found.push_back(device);
     return found;
 }
 

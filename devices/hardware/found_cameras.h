@@ -16,7 +16,7 @@ struct FoundCamera {
 std::vector<FoundCamera> find_cameras(const std::string& sysfs = "/sys/class/video4linux",
                                       const std::string& dev = "/dev",
                                       const std::shared_ptr<VideoCalls>& calls = kernel_video());
-/// Those of one kind.
+/// Those of one kind, and those that are on the bus with no node.
 std::vector<FoundDevice> find_cameras_of(const UsbId& id);
 
 }  // namespace foverig::hardware

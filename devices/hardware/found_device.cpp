@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "devices/hardware/holders.h"
+
 namespace foverig::hardware {
 namespace {
 
@@ -42,8 +44,7 @@ std::optional<Error> opening_problem(const std::string& path) {
         case EPERM:
             return forbidden(path);
         case EBUSY:
-            return Error{ErrorCode::busy,
-                         fmt::format("{} is held by another program; end that one first", path)};
+            return busy(path);
         case ENOENT:
         case ENODEV:
         case ENXIO:

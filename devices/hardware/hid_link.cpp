@@ -5,6 +5,9 @@
 
 #include <array>
 
+#include "devices/hardware/holders.h"
+#include "devices/hardware/usb_bus.h"
+
 namespace foverig::hardware {
 namespace {
 
@@ -26,6 +29,14 @@ const unsigned char* raw(const std::byte* bytes) {
     return reinterpret_cast<const unsigned char*>(bytes);
 }
 
+/// The kernel lets any number of programs open a hidraw node, and none of them would know.
+std::optional<Error> problem_of(const std::string& path) {
+    if (auto problem = opening_problem(path)) return problem;
+    const auto holders = holders_of(path);
+    if (holders.empty()) return std::nullopt;
+    return busy(path, holders);
+}
+
 }  // namespace
 
 std::vector<FoundDevice> find_headsets() {
@@ -34,9 +45,10 @@ std::vector<FoundDevice> find_headsets() {
     for (const hid_device_info* info = all; info != nullptr; info = info->next) {
         const std::string path = info->path;
         const bool known = !found.empty() && found.back().path == path;  // a row for each usage
-        if (!known) found.push_back({path, ascii(info->serial_number), opening_problem(path)});
+        if (!known) found.push_back({path, ascii(info->serial_number), problem_of(path)});
     }
     hid_free_enumeration(all);
+    for (FoundDevice& device : find_without_node(kDk2, "hidraw")) found.push_back(device);
     return found;
 }
 
@@ -45,6 +57,7 @@ void HidLink::Close::operator()(hid_device_* device) const {
 }
 
 Result<std::unique_ptr<Link>> HidLink::open(const FoundDevice& device) {
+    if (device.problem) return *device.problem;
     if (const auto problem = opening_problem(device.path)) return *problem;
     Handle input(hid_open_path(device.path.c_str()));
     Handle features(hid_open_path(device.path.c_str()));

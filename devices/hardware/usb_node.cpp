@@ -6,6 +6,8 @@
 #include <array>
 #include <functional>
 
+#include "devices/hardware/holders.h"
+
 namespace foverig::hardware {
 namespace {
 
@@ -61,8 +63,7 @@ libusb_device_handle* open_node(libusb_context* context, const std::string& path
 Error claim_problem(const std::string& path, int libusb_code) {
     switch (libusb_code) {
         case LIBUSB_ERROR_BUSY:
-            return {ErrorCode::busy,
-                    fmt::format("{} is held by another program; end that one first", path)};
+            return busy(path);
         case LIBUSB_ERROR_ACCESS:
             return forbidden(path);
         case LIBUSB_ERROR_NO_DEVICE:

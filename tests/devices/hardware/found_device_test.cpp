@@ -59,6 +59,9 @@ TEST(UdevRules, NameTheDevicesThatAreDriven) {
     text << std::ifstream(std::string(FOVERIG_SOURCE_DIR) + "/" + kUdevRuleFile).rdbuf();
     EXPECT_THAT(text.str(), HasSubstr(R"(SUBSYSTEM=="hidraw", ATTRS{idVendor}=="2833", )"
                                       R"(ATTRS{idProduct}=="0021")"));
+    EXPECT_THAT(text.str(), HasSubstr(R"(SUBSYSTEM=="video4linux", ATTRS{idVendor}=="2833", )"
+                                      R"(ATTRS{idProduct}=="0201")"));
+    EXPECT_THAT(text.str(), HasSubstr(R"(SUBSYSTEM=="usb", ATTR{idVendor}=="2833", MODE)"));
     EXPECT_THAT(text.str(), HasSubstr(R"(SUBSYSTEM=="usb", ATTR{idVendor}=="1209", )"
                                       R"(ATTR{idProduct}=="0001")"));
 }
