@@ -7,6 +7,7 @@
 #include "renderer/backend_error.h"
 #include "renderer/check.h"
 #include "renderer/scene/error.h"
+#include "rig/calibrate_options.h"
 #include "rig/commands.h"
 #include "rig/compare_options.h"
 #include "rig/diff_options.h"
@@ -193,6 +194,7 @@ ExitCode dispatch(int argc, const char* const* argv) {
     SweepOptions sweep_options;
     TuneOptions tune_options;
     ExposeOptions expose_options;
+    CalibrateOptions calibrate_options;
     ReportOptions report_options;
     add_run(app, run_options);
     add_record(app, record_options);
@@ -205,6 +207,7 @@ ExitCode dispatch(int argc, const char* const* argv) {
     sweep_options.add_to(app);
     tune_options.add_to(app);
     expose_options.add_to(app);
+    calibrate_options.add_to(app);
     app.add_subcommand("scenes", "what there is to look at");
     app.add_subcommand("devices", "simulated devices, motions and faults");
     app.add_subcommand("doctor", "what works on this machine, and what to do");
@@ -234,6 +237,7 @@ ExitCode dispatch(int argc, const char* const* argv) {
     if (app.got_subcommand("tune")) return tune_command(tune_options.request());
     if (app.got_subcommand("sweep")) return sweep_command(sweep_options.request());
     if (app.got_subcommand("expose")) return expose_command(expose_options.request());
+    if (app.got_subcommand("calibrate")) return calibrate_command(calibrate_options.request());
     if (app.got_subcommand("scenes")) return scenes_command();
     if (app.got_subcommand("devices")) return devices_command();
     if (app.got_subcommand("doctor")) return doctor_command();

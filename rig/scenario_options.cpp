@@ -86,6 +86,7 @@ Scenario ScenarioOptions::over(Scenario scenario) const {
     if (!is_builtin) make_absolute(scenario.scene);
     make_absolute(scenario.motion.head);
     make_absolute(scenario.motion.gaze);
+    make_absolute(scenario.tracking.gaze_calibration);
     if (std::string recording = replayed_file(scenario); !recording.empty()) {
         make_absolute(recording);
         scenario.devices = "replay:" + recording;

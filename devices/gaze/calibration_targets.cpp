@@ -55,8 +55,8 @@ std::vector<dvec2> default_points(int points) {
 std::vector<dvec2> targets_deg(int points, double reach_deg) {
     std::vector<dvec2> targets;
     for (const dvec2& point : default_points(points)) {
-        const dvec2 share = (point - kMiddle) / kOuter;
-        targets.emplace_back(reach_deg * share.x, -reach_deg * share.y);
+        const dvec2 share = dvec2(point.x - kMiddle, kMiddle - point.y) / kOuter;
+        targets.push_back(reach_deg * share);
     }
     return targets;
 }

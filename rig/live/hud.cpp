@@ -1,6 +1,5 @@
 #include "rig/live/hud.h"
 
-#include <backends/imgui_impl_opengl3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -20,7 +19,6 @@ constexpr ImU32 kBack = IM_COL32(0, 0, 0, 120);
 
 constexpr float kStripWidth = 360.0F, kStripHeight = 72.0F, kBarHeight = 14.0F;
 constexpr double kStripBudgets = 2.0;  // the strip's height
-constexpr double kUnscaledHeight_px = 720.0;
 
 std::string ms(const std::optional<double>& value) {
     return value ? fmt::format("{:.1f} ms", *value) : "-";
@@ -28,34 +26,6 @@ std::string ms(const std::optional<double>& value) {
 
 ImVec2 im(const dvec2& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y)};
-}
-
-SizePx landscape_of(const PanelView& view) {
-    const PanelView::Rectangle& r = view.viewport();
-    return view.turned() ? SizePx{r.height_px, r.width_px} : SizePx{r.width_px, r.height_px};
-}
-
-/// From the landscape picture's pixels to the framebuffer's.
-void move_to(const PanelView& view, const SizePx& framebuffer, ImDrawData& data) {
-    const PanelView::Rectangle& r = view.viewport();
-    const auto left = static_cast<float>(r.x_px);
-    const auto top = static_cast<float>(framebuffer.height - r.y_px - r.height_px);
-    const auto bottom = top + static_cast<float>(r.height_px);
-    const auto moved = [&](const ImVec2& p) {
-        return view.turned() ? ImVec2(left + p.y, bottom - p.x) : ImVec2(left + p.x, top + p.y);
-    };
-    for (int i = 0; i < data.CmdListsCount; ++i) {
-        ImDrawList& list = *data.CmdLists[i];
-        for (ImDrawVert& vertex : list.VtxBuffer) vertex.pos = moved(vertex.pos);
-        for (ImDrawCmd& command : list.CmdBuffer) {
-            const ImVec4 clip = command.ClipRect;
-            const ImVec2 a = moved({clip.x, clip.y}), b = moved({clip.z, clip.w});
-            command.ClipRect = {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x),
-                                std::max(a.y, b.y)};
-        }
-    }
-    data.DisplaySize = {static_cast<float>(framebuffer.width),
-                        static_cast<float>(framebuffer.height)};
 }
 
 void draw_strip(const std::vector<float>& frame_ms, double budget_ms, float scale) {
@@ -91,35 +61,16 @@ void draw_bar(double share, float scale) {
 }  // namespace
 
 Hud::Hud(const Scenario& scenario, double rate_hz)
-    : context_(ImGui::CreateContext()),
-      foveation_(scenario.render.foveation),
+    : foveation_(scenario.render.foveation),
       eyes_(static_cast<std::size_t>(scenario.display.eyes)),
       budget_ms_(1000.0 / rate_hz),
-      map_(scenario.display.distortion) {
-    ImGui::GetIO().IniFilename = nullptr;
-    ImGui_ImplOpenGL3_Init("#version 330");
-}
-
-Hud::~Hud() {
-    ImGui_ImplOpenGL3_Shutdown();
-    ImGui::DestroyContext(context_);
-}
+      map_(scenario.display.distortion) {}
 
 void Hud::draw(const PanelView& view) {
-    const SizePx size = landscape_of(view);
-    const double scale = std::max(1.0, size.height / kUnscaledHeight_px);
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
-    io.DeltaTime = static_cast<float>(1e-3 * budget_ms_);
-    io.FontGlobalScale = static_cast<float>(scale);
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui::NewFrame();
+    const SizePx size = overlay_.begin(view, 1e-3 * budget_ms_);
     draw_gaze(PanelView(size, false));
-    draw_numbers(scale);
-    ImGui::Render();
-    ImDrawData& data = *ImGui::GetDrawData();
-    move_to(view, view.framebuffer(), data);
-    ImGui_ImplOpenGL3_RenderDrawData(&data);
+    draw_numbers(overlay_.scale());
+    overlay_.end(view);
 }
 
 void Hud::draw_numbers(double scale) const {

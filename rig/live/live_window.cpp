@@ -1,55 +1,20 @@
 #include "rig/live/live_window.h"
 
-#include <fmt/format.h>
-
-#include "rig/failure.h"
 #include "rig/live/cursor_gaze.h"
+#include "rig/live/open_window.h"
 
 namespace foverig {
 namespace {
 
 constexpr char kHudKey = 'H';
 
-/// One sentence with what to do.
-DeviceError failure_of(const Scenario& scenario, const Error& error) {
-    const char* what_to_do = "update the graphics driver, or use --display virtual";
-    if (error.code == ErrorCode::not_found)
-        what_to_do = scenario.display.kind == "headset"
-                         ? "foverig doctor says whether the headset is hidden from the desktop; "
-                           "window.monitor names another one; or use --display window"
-                         : "log in to a desktop (or set DISPLAY to one), or use --display virtual";
-    return DeviceError(
-        fmt::format("display.kind = {}: {}; {}", scenario.display.kind, error.text, what_to_do));
-}
-
-template <class T>
-T or_throw(const Scenario& scenario, Result<T> result) {
-    if (!result) throw failure_of(scenario, result.error());
-    return std::move(result).value();
-}
-
-window::Window::Settings settings_of(const Scenario& scenario) {
-    const int width_px = scenario.window.width_px;
-    return {.title = "foverig: " + scenario.scene,
-            .size = {width_px, width_px * 9 / 16},
-            .full_screen = scenario.display.kind == "headset",
-            .monitor = scenario.window.monitor,
-            .rate_hz = scenario.display.rate_hz,
-            .wait_vsync = scenario.window.wait_vsync};
-}
-
 }  // namespace
 
 std::unique_ptr<LiveWindow> LiveWindow::open(const Scenario& scenario) {
     if (scenario.display.kind == "virtual") return nullptr;
-    if (scenario.clock != "wall")
-        throw UsageError(
-            fmt::format("display.kind = {} and clock = {}: a window shows frames in real time; add "
-                        "--clock wall",
-                        scenario.display.kind, scenario.clock));
-    auto opened = or_throw(scenario, window::Window::open(settings_of(scenario)));
+    auto opened = open_window(scenario, "foverig: " + scenario.scene);
     auto painter =
-        or_throw(scenario, window::LensPainter::make(EyeMap(scenario.display.distortion)));
+        window_or_throw(scenario, window::LensPainter::make(EyeMap(scenario.display.distortion)));
     return std::unique_ptr<LiveWindow>(
         new LiveWindow(scenario, std::move(opened), std::move(painter)));
 }

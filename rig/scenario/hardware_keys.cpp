@@ -72,6 +72,10 @@ void add_hardware_keys(std::vector<Key>& keys) {
         "sensor alone",
         [](auto& s) -> auto& { return s.tracking.camera; }));
     keys.push_back(gaze_rate_key());
+    keys.push_back(text_key(
+        "tracking.gaze_calibration", "a file that foverig calibrate wrote",
+        "calibration that the gaze tracker is given; empty: the one that it has",
+        [](auto& s) -> auto& { return s.tracking.gaze_calibration; }));
 }
 
 }  // namespace foverig

@@ -85,6 +85,7 @@ struct HardwareSettings {
 struct TrackingSettings {
     bool camera = false;    ///< the tracker camera holds position and yaw; else the gyro alone
     int gaze_rate_hz = 60;  ///< of the gaze tracker's samples: 60, 120 or 250
+    std::string gaze_calibration;  ///< `foverig calibrate`'s file; empty: the tracker's own
 };
 
 /// Of `devices = "replay:FILE"`.

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "rig/session/calibration_file.h"
+
 namespace foverig {
 namespace {
 
 constexpr Nanoseconds kStep{10'000'000};
-
-gaze::GazeSourceConfig gaze_config(const Scenario& scenario) {
-    return {.rate_hz = static_cast<std::uint16_t>(scenario.tracking.gaze_rate_hz)};
-}
 
 template <class Sample>
 std::function<void(const Sample&)> sample_log(SessionRecording* recording) {

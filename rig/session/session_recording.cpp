@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "devices/recording/file_sink.h"
@@ -80,6 +82,12 @@ SessionRecording::SessionRecording(std::unique_ptr<ByteSink> sink, const Scenari
     recorder_->note(build_note());
     recorder_->attach(
         text_attachment(kScenarioAttachment, "application/toml", scenario_toml(scenario)));
+    const std::string& file = scenario.tracking.gaze_calibration;
+    if (!file.empty() && replayed_file(scenario).empty()) {
+        std::ostringstream text;
+        text << std::ifstream(file, std::ios::binary).rdbuf();
+        recorder_->attach(text_attachment("calibration.json", "application/json", text.str()));
+    }
 }
 
 void SessionRecording::begin(double initial_yaw_rad) {

@@ -1,6 +1,8 @@
 // The gaze tracker over the real libusb, with umockdev in the kernel's place.
 #include <thread>
 
+#include "devices/gaze/calibration.h"
+#include "devices/gaze/calibration_targets.h"
 #include "devices/gaze/gaze_source.h"
 #include "devices/hardware/open_devices.h"
 #include "tests/devices/byte_text.h"
@@ -94,6 +96,73 @@ TEST_F(Tracker, CarriesVendorRequestsToTheInterface) {
     const auto refused = (*device)->control_get(request::get_status, 0, 32);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::unsupported) << refused.error().text;
+}
+
+TEST_F(Tracker, CarriesACalibrationBothWays) {
+    MockTracker tracker(bed_);
+    const gaze::CalibrationBlob stored{.id = 3, .data = {std::byte{13}, std::byte{90}}};
+    tracker.answer = [&](const MockTracker::Request& r) -> std::optional<std::vector<std::byte>> {
+        if (r.id == request::cal_blob) return test::copy_of(stored.encode());
+        if (r.id != request::get_info) return firmware(r);
+        return test::copy_of(
+            gaze::Info{.capabilities = gaze::capability::save_calibration, .serial = "ABC"}
+                .encode());
+    };
+    const auto device = open();
+    ASSERT_TRUE(device) << device.error().text;
+    const auto blob = (*device)->control_get(request::cal_blob, 0, gaze::CalibrationBlob::kSize);
+    ASSERT_TRUE(blob) << blob.error().text;
+    EXPECT_EQ(*gaze::CalibrationBlob::decode(*blob), stored);
+
+    // A run gives it back before START.
+    const gaze::GazeSourceConfig config{.calibration = gaze::StoredCalibration{"ABC", *blob}};
+    auto opened = gaze::GazeSource::open(**device, clock_, config);
+    ASSERT_TRUE(opened) << opened.error().text;
+    gaze::GazeSource source = std::move(opened).value();
+    std::vector<MockTracker::Request> orders;
+    for (const auto& r : tracker.requests())
+        if (r.type == 0x41) orders.push_back(r);
+    ASSERT_EQ(orders.size(), 6U);
+    EXPECT_EQ(orders[4].id, request::cal_blob);
+    EXPECT_EQ(orders[4].data, *blob);
+    EXPECT_EQ(orders[5].id, request::start);
+
+    gaze::CalibrationProcedure procedure(gaze::CalibrationProcedure::Task::calibrate,
+                                         gaze::targets_deg(13, 16.0), clock_.now());
+    const auto order = procedure.next_order(clock_.now());
+    ASSERT_TRUE(order);
+    ASSERT_TRUE((*device)->control_set(order->request, order->value, order->data));
+    const auto sent = tracker.requests().back();
+    EXPECT_EQ(sent.id, request::cal_start);
+    EXPECT_EQ(sent.value, 13);
+    EXPECT_EQ(sent.data.size(), 13U * 8U);
+    EXPECT_EQ(sent.data, order->data);
+
+    gaze::CalibrationFrame waiting{.points = 13, .state = gaze::CalibrationState::waiting};
+    waiting.header.session = 9;
+    send(tracker, test::copy_of(waiting.encode()));
+    gaze::SampleFrame sample = test::golden_sample();
+    sample.header.session = 9;
+    sample.header.sequence = 1;
+    send(tracker, test::copy_of(sample.encode()));
+    ASSERT_TRUE(std::holds_alternative<GazeSample>(source.next(soon())));
+    for (const auto& frame : source.take_calibrations()) procedure.take(frame, clock_.now());
+    EXPECT_EQ(procedure.shown(), 0U);
+}
+
+TEST_F(Tracker, RefusesACalibrationOfAnother) {
+    MockTracker tracker(bed_);
+    tracker.answer = firmware;
+    const auto device = open();
+    ASSERT_TRUE(device) << device.error().text;
+    const auto other = gaze::GazeSource::open(**device, clock_,
+                                              {.calibration = gaze::StoredCalibration{"XYZ", {}}});
+    ASSERT_FALSE(other);
+    EXPECT_NE(other.error().text.find("is of tracker XYZ, and this is ABC"), std::string::npos);
+    const auto unable = gaze::GazeSource::open(**device, clock_,
+                                               {.calibration = gaze::StoredCalibration{"ABC", {}}});
+    ASSERT_FALSE(unable);
+    EXPECT_EQ(unable.error().code, ErrorCode::unsupported) << unable.error().text;
 }
 
 TEST_F(Tracker, HeldByAnotherProgramIsBusy) {
