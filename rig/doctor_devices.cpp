@@ -58,6 +58,19 @@ std::string tracker_cameras() {
            ports;
 }
 
+/// Those for see-through.
+std::string video_cameras() {
+    std::string text;
+    for (const hardware::FoundCamera& camera : hardware::find_cameras()) {
+        if (camera.id == hardware::kDk2Camera) continue;
+        if (!text.empty()) text += "; ";
+        text += fmt::format(
+            "{} (USB {}): {}", camera.name, hardware::text_of(camera.id),
+            camera.device.problem ? camera.device.problem->text : camera.device.path + " ready");
+    }
+    return text.empty() ? "none seen (any USB camera, for see-through)" : text;
+}
+
 std::string kernel_interfaces() {
     std::error_code error;
     const bool hidraw = fs::exists("/sys/class/hidraw", error);
@@ -105,6 +118,7 @@ std::vector<DoctorRow> examine_devices() {
             {"gaze tracker", said_of(hardware::find_gaze_trackers(hardware::kGazeTracker),
                                      fmt::format("none seen (SGZ1, USB {})", tracker))},
             {"tracker camera", tracker_cameras()},
+            {"video cameras", video_cameras()},
             {"udev rule",
              fmt::format("{}: {}", hardware::kUdevRuleFile,
                          fs::exists("/etc/udev/rules.d/70-foverig.rules")

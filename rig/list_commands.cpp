@@ -23,6 +23,19 @@ void print_found(const char* name, const std::vector<hardware::FoundDevice>& fou
     }
 }
 
+void print_video_cameras() {
+    std::size_t found = 0;
+    for (const hardware::FoundCamera& camera : hardware::find_cameras()) {
+        if (camera.id == hardware::kDk2Camera) continue;
+        ++found;
+        print_row("video", camera.device.problem
+                               ? camera.device.problem->text
+                               : fmt::format("{}, USB {}, {}", camera.name,
+                                             hardware::text_of(camera.id), camera.device.path));
+    }
+    if (found == 0) print_row("video", "none plugged in (any USB camera, for see-through)");
+}
+
 }  // namespace
 
 ExitCode scenes_command() {
@@ -41,10 +54,12 @@ ExitCode devices_command() {
     for (const std::string& text : headsets) print_row("dk2", text);
     print_found("gaze", hardware::find_gaze_trackers(hardware::kGazeTracker));
     print_found("camera", hardware::find_cameras_of(hardware::kDk2Camera));
+    print_video_cameras();
     fmt::print("\nSimulated devices (--devices sim); they speak the bytes of the real ones:\n");
     print_row("dk2", "Oculus Rift DK2: inertial sensor at 1 kHz, 75 Hz panel with pixel read-back");
     print_row("gaze", "binocular gaze tracker, 60 Hz");
     print_row("camera", "the DK2's tracker camera: 752 x 480 at 60 Hz, LEDs that blink, its lens");
+    print_row("room", "a camera on the headset that sees a room: 640 x 480 at 30 Hz, YUYV");
     print_row("virtual", "the DK2's panel: VSync, rolling scan-out, persistence");
     fmt::print("\nHead motions (motion.head):\n");
     for (const auto& model : motion::head_motions()) print_row(model.name, model.meaning);

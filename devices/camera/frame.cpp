@@ -17,9 +17,7 @@ std::size_t bytes_per_pixel(std::uint32_t format) {
     return format == kYuyv ? 2 : 1;
 }
 
-}  // namespace
-
-Result<FrameHeader> decode_header(Bytes b) {
+Result<FrameHeader> fields_of(Bytes b) {
     if (b.size() < FrameHeader::kSize || read_u32(b, 0) != FrameHeader::kMagic) {
         return refused("no frame header (expected FCF1 and 32 bytes)");
     }
@@ -31,23 +29,42 @@ Result<FrameHeader> decode_header(Bytes b) {
                         .age_us = read_u32(b, 20),
                         .damaged = (read_u32(b, 24) & 1u) != 0,
                         .image_bytes = read_u32(b, 28)};
+    if (h.image_bytes != b.size() - FrameHeader::kSize || h.image_bytes > kLargestImage) {
+        return refused(fmt::format("{} bytes of image, its header says {}",
+                                   b.size() - FrameHeader::kSize, h.image_bytes));
+    }
+    return h;
+}
+
+}  // namespace
+
+Result<FrameHeader> decode_header(Bytes b) {
+    const Result<FrameHeader> fields = fields_of(b);
+    if (!fields) return fields;
+    const FrameHeader& h = *fields;
     if (h.format != kGrey && h.format != kYuyv) {
         return refused(fmt::format("format {:#010x}; expected GREY or YUYV", h.format));
     }
     const std::size_t row_bytes = h.width_px * bytes_per_pixel(h.format);
-    const std::size_t needed =
-        h.height_px == 0 ? 0
-                         : std::size_t{h.stride_bytes} * (std::size_t{h.height_px} - 1) + row_bytes;
     if (row_bytes == 0 || h.height_px == 0 || h.stride_bytes < row_bytes) {
         return refused(fmt::format("{} x {} pixels in rows of {} bytes", h.width_px, h.height_px,
                                    h.stride_bytes));
     }
-    if (h.image_bytes != b.size() - FrameHeader::kSize || h.image_bytes < needed ||
-        h.image_bytes > kLargestImage) {
-        return refused(fmt::format("{} bytes of image, its header says {} and its size asks {}",
-                                   b.size() - FrameHeader::kSize, h.image_bytes, needed));
+    const std::size_t needed = std::size_t{h.stride_bytes} * (h.height_px - 1U) + row_bytes;
+    if (h.image_bytes < needed) {
+        return refused(fmt::format("{} bytes of image; its size asks {}", h.image_bytes, needed));
     }
     return h;
+}
+
+Result<FrameHeader> decode_any_header(Bytes b) {
+    const Result<FrameHeader> fields = fields_of(b);
+    if (!fields || fields->format != kMjpeg) return fields ? decode_header(b) : fields;
+    if (fields->width_px == 0 || fields->height_px == 0 || fields->image_bytes == 0) {
+        return refused(fmt::format("{} x {} pixels of MJPG in {} bytes", fields->width_px,
+                                   fields->height_px, fields->image_bytes));
+    }
+    return fields;
 }
 
 std::array<std::byte, FrameHeader::kSize> encode_header(const FrameHeader& header) {

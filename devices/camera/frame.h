@@ -19,6 +19,7 @@ constexpr std::uint32_t fourcc(char a, char b, char c, char d) {
 }
 inline constexpr std::uint32_t kGrey = fourcc('G', 'R', 'E', 'Y');
 inline constexpr std::uint32_t kYuyv = fourcc('Y', 'U', 'Y', 'V');
+inline constexpr std::uint32_t kMjpeg = fourcc('M', 'J', 'P', 'G');  ///< of stride 0
 
 struct FrameHeader {
     static constexpr std::size_t kSize = 32;
@@ -49,6 +50,8 @@ struct GreyView {
 
 /// Checks magic, sizes and format (GREY or YUYV).
 Result<FrameHeader> decode_header(Bytes packet);
+/// The same for any camera's frame: MJPG too, of which only the header can be checked.
+Result<FrameHeader> decode_any_header(Bytes packet);
 std::array<std::byte, FrameHeader::kSize> encode_header(const FrameHeader& header);
 /// Header and image; the header's image_bytes is set here.
 std::vector<std::byte> encode_frame(FrameHeader header, Bytes image);

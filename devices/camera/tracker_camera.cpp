@@ -4,7 +4,6 @@ namespace foverig::camera {
 namespace {
 
 constexpr Nanoseconds kSetUpPause{250'000'000};  // between two tries with a camera that came back
-constexpr std::uint32_t kLongestGap = 1000;      // frames: beyond it the count began anew
 
 }  // namespace
 
@@ -38,8 +37,7 @@ void TrackerCamera::set_up_again(HostTime now) {
         next_set_up_ = now + kSetUpPause;
         return;
     }
-    ++counts_.reconnects;
-    last_sequence_.reset();
+    count_.came_back();
 }
 
 Next<CameraFrame> TrackerCamera::next(HostTime deadline) {
@@ -61,16 +59,7 @@ Next<CameraFrame> TrackerCamera::next(HostTime deadline) {
 
 std::optional<CameraFrame> TrackerCamera::take(Packet packet) {
     const auto header = decode_header(packet.bytes);
-    if (!header || header->damaged) {
-        ++counts_.rejected;
-        return std::nullopt;
-    }
-    if (last_sequence_) {
-        const std::uint32_t gap = header->sequence - *last_sequence_ - 1;
-        if (gap < kLongestGap) counts_.lost += gap;
-    }
-    last_sequence_ = header->sequence;
-    ++counts_.samples;
+    if (!count_.add(header)) return std::nullopt;
     return CameraFrame{.stamp = packet.arrival - std::chrono::microseconds(header->age_us),
                        .arrival = packet.arrival,
                        .header = *header,

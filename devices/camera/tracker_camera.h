@@ -2,7 +2,7 @@
 // The tracker camera over a transport: Source<CameraFrame>. Sets sensor and sync up, reads the
 // lens from the calibration memory, and sets a camera up again that was unplugged. One thread uses
 // it.
-#include "devices/camera/frame.h"
+#include "devices/camera/frame_count.h"
 #include "devices/camera/lens.h"
 #include "devices/camera/sensor_setup.h"
 #include "devices/source.h"
@@ -32,7 +32,7 @@ class TrackerCamera {
     const Lens& lens() const { return lens_; }
     /// The lens is the camera's own and not the design's.
     bool calibrated() const { return calibrated_; }
-    SourceCounts counts() const { return counts_; }
+    SourceCounts counts() const { return count_.counts(); }
 
   private:
     TrackerCamera(Transport& transport, Sync sync) : transport_(&transport), sync_(sync) {}
@@ -47,8 +47,7 @@ class TrackerCamera {
     bool calibrated_ = false;
     bool was_gone_ = false;
     HostTime next_set_up_{};  // where it was
-    std::optional<std::uint32_t> last_sequence_;
-    SourceCounts counts_;
+    FrameCount count_;
 };
 
 static_assert(Source<TrackerCamera>);

@@ -64,7 +64,8 @@ std::vector<FoundCamera> find_cameras(const std::string& sysfs, const std::strin
                            .problem = {}};
         device.problem = opening_problem(device.path);
         if (!device.problem) device.problem = busy_problem(device.path, *calls);
-        found.push_back({std::move(device), *id, number_of(line_of(usb / "speed"))});
+        found.push_back(
+            {std::move(device), *id, line_of(node / "name"), number_of(line_of(usb / "speed"))});
     }
     return found;
 }

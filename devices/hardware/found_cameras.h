@@ -8,6 +8,7 @@ namespace foverig::hardware {
 struct FoundCamera {
     FoundDevice device;
     UsbId id;
+    std::string name;       ///< as the driver calls it
     double usb_mbit_s = 0;  ///< of its port; 0: unknown
 };
 

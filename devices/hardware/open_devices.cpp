@@ -53,6 +53,29 @@ Result<std::unique_ptr<LiveTransport>> open_tracker_camera(const Clock& clock,
         [](const FoundDevice& device) { return VideoLink::open(device, tracker_modes()); });
 }
 
+Result<std::unique_ptr<LiveTransport>> open_video_camera(const Clock& clock,
+                                                         const std::string& which,
+                                                         const VideoWish& wish) {
+    const LiveTransport::Settings settings{.queue_capacity = 64};
+    const auto open_found = [wish](const FoundDevice& device) {
+        return VideoLink::open(device, wish);
+    };
+    const auto id = usb_id_of(which);
+    if (id) {
+        const auto find = [id = *id](const std::string& serial) {
+            return choose(find_cameras_of(id), serial, "camera",
+                          fmt::format("USB device {} among the video4linux devices", text_of(id)));
+        };
+        return open_chosen(clock, "", settings, find, open_found);
+    }
+    return LiveTransport::open(
+        clock,
+        [which, open_found] {
+            return open_found(FoundDevice{.path = which, .serial = {}, .problem = {}});
+        },
+        settings);
+}
+
 Result<std::unique_ptr<LiveTransport>> open_headset(const Clock& clock, const std::string& serial,
                                                     const LiveTransport::Settings& settings) {
     return open_chosen(clock, serial, settings, &choose_headset, &HidLink::open);

@@ -4,6 +4,7 @@
 
 #include "devices/hardware/found_device.h"
 #include "devices/hardware/live_transport.h"
+#include "devices/hardware/video_modes.h"
 
 namespace foverig::hardware {
 
@@ -22,6 +23,13 @@ Result<std::unique_ptr<LiveTransport>> open_headset(const Clock& clock, const st
 /// The DK2's tracker camera; its packets are camera/frame.h's, and the newest eight are kept.
 Result<std::unique_ptr<LiveTransport>> open_tracker_camera(const Clock& clock,
                                                            const std::string& serial);
+
+/// Any camera, for its picture: a node ("/dev/video0") or the only one of a USB identifier
+/// ("046d:0825"). Of what it offers the nearest to `wish`; its packets are camera/frame.h's, and
+/// the newest 64 are kept.
+Result<std::unique_ptr<LiveTransport>> open_video_camera(const Clock& clock,
+                                                         const std::string& which,
+                                                         const VideoWish& wish);
 
 /// A gaze tracker that speaks SGZ1.
 Result<std::unique_ptr<LiveTransport>> open_gaze_tracker(

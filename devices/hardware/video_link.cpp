@@ -39,11 +39,6 @@ std::uint32_t age_us(const v4l2_buffer& buffer, std::int64_t now_ns) {
 
 }  // namespace
 
-std::vector<VideoMode> tracker_modes() {
-    return {{.format = V4L2_PIX_FMT_GREY, .width_px = 752, .height_px = 480},
-            {.format = V4L2_PIX_FMT_YUYV, .width_px = 376, .height_px = 480}};
-}
-
 Error VideoLink::failed(const char* doing) const {
     const int reason = errno;
     switch (reason) {
@@ -68,16 +63,41 @@ Error VideoLink::failed(const char* doing) const {
     }
 }
 
-Result<std::unique_ptr<Link>> VideoLink::open(const FoundDevice& device,
-                                              const std::vector<VideoMode>& modes,
-                                              std::shared_ptr<VideoCalls> calls) {
+Result<std::unique_ptr<VideoLink>> VideoLink::opened(const FoundDevice& device,
+                                                     std::shared_ptr<VideoCalls> calls) {
     const int file = calls->open(device.path.c_str());
     std::unique_ptr<VideoLink> link(new VideoLink(device.path, std::move(calls), file));
     if (file < 0) return link->failed("open");
-    if (auto status = link->choose(modes); !status) return status.error();
-    if (auto status = link->map_buffers(); !status) return status.error();
-    if (auto status = link->start(); !status) return status.error();
-    return std::unique_ptr<Link>(std::move(link));
+    if (auto status = link->check_abilities(); !status) return status.error();
+    return link;
+}
+
+Result<std::unique_ptr<Link>> VideoLink::open(const FoundDevice& device,
+                                              const std::vector<VideoMode>& modes,
+                                              std::shared_ptr<VideoCalls> calls) {
+    auto link = opened(device, std::move(calls));
+    if (!link) return link.error();
+    if (auto status = (*link)->stream(modes); !status) return status.error();
+    return std::unique_ptr<Link>(std::move(link).value());
+}
+
+Result<std::unique_ptr<Link>> VideoLink::open(const FoundDevice& device, const VideoWish& wish,
+                                              std::shared_ptr<VideoCalls> calls) {
+    auto link = opened(device, calls);
+    if (!link) return link.error();
+    const auto modes = nearest_first(offered_modes(*calls, (*link)->file_, wish), wish);
+    if (modes.empty()) {
+        return Error{ErrorCode::unsupported,
+                     fmt::format("{} offers neither YUYV nor MJPG nor GREY", device.path)};
+    }
+    if (auto status = (*link)->stream(modes); !status) return status.error();
+    return std::unique_ptr<Link>(std::move(link).value());
+}
+
+Status VideoLink::stream(const std::vector<VideoMode>& modes) {
+    if (auto status = choose(modes); !status) return status.error();
+    if (auto status = map_buffers(); !status) return status.error();
+    return start();
 }
 
 VideoLink::~VideoLink() {
@@ -90,7 +110,7 @@ VideoLink::~VideoLink() {
     (void)calls_->close(file_);
 }
 
-Status VideoLink::choose(const std::vector<VideoMode>& modes) {
+Status VideoLink::check_abilities() {
     v4l2_capability able{};
     if (calls_->ioctl(file_, VIDIOC_QUERYCAP, &able) < 0) return failed("tell what it can");
     const std::uint32_t abilities =
@@ -100,6 +120,10 @@ Status VideoLink::choose(const std::vector<VideoMode>& modes) {
         return Error{ErrorCode::unsupported,
                      fmt::format("{} streams no video (it may be a camera's metadata)", path_)};
     }
+    return Done{};
+}
+
+Status VideoLink::choose(const std::vector<VideoMode>& modes) {
     for (const VideoMode& mode : modes) {
         v4l2_format format{};
         format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -119,8 +143,14 @@ Status VideoLink::choose(const std::vector<VideoMode>& modes) {
         format_ = got.pixelformat;
         width_px_ = static_cast<std::uint16_t>(got.width);
         height_px_ = static_cast<std::uint16_t>(got.height);
-        const std::uint32_t tight = got.width * (format_ == V4L2_PIX_FMT_YUYV ? 2 : 1);
-        stride_bytes_ = std::max(got.bytesperline, tight);
+        if (format_ == V4L2_PIX_FMT_MJPEG) {
+            stride_bytes_ = 0;
+            whole_bytes_ = got.sizeimage;
+        } else {
+            const std::uint32_t tight = got.width * (format_ == V4L2_PIX_FMT_YUYV ? 2 : 1);
+            stride_bytes_ = std::max(got.bytesperline, tight);
+            whole_bytes_ = std::size_t{stride_bytes_} * got.height;
+        }
         v4l2_streamparm rate{};
         rate.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
         rate.parm.capture.timeperframe = {.numerator = 1, .denominator = mode.rate_hz};
@@ -145,12 +175,11 @@ Status VideoLink::map_buffers() {
     for (std::uint32_t i = 0; i < request.count; ++i) {
         v4l2_buffer buffer = mapped_buffer(i);
         if (calls_->ioctl(file_, VIDIOC_QUERYBUF, &buffer) < 0) return failed("describe a buffer");
-        const std::size_t whole = std::size_t{stride_bytes_} * height_px_;
-        if (buffer.length < whole)
+        if (buffer.length < whole_bytes_)
             return Error{ErrorCode::io, fmt::format("{} gives buffers of {} bytes; expected {}, a "
                                                     "whole frame; unplug the camera and plug it in "
                                                     "again",
-                                                    path_, buffer.length, whole)};
+                                                    path_, buffer.length, whole_bytes_)};
         void* memory = calls_->map(buffer.length, file_, buffer.m.offset);
         if (memory == MAP_FAILED) return failed("map a buffer");
         buffers_.push_back({memory, buffer.length});
@@ -189,8 +218,9 @@ Status VideoLink::read(PacketQueue& packets) {
     }
     const Buffer& mapped = buffers_[buffer.index];
     const std::size_t used = std::min<std::size_t>(buffer.bytesused, mapped.size);
-    const std::size_t whole = std::size_t{stride_bytes_} * height_px_;
     // A short frame keeps its size: old bytes behind it are marked by `damaged`.
+    const bool compressed = stride_bytes_ == 0;
+    const std::size_t size = compressed ? used : whole_bytes_;
     const camera::FrameHeader header{
         .format = format_,
         .width_px = width_px_,
@@ -198,10 +228,10 @@ Status VideoLink::read(PacketQueue& packets) {
         .stride_bytes = stride_bytes_,
         .sequence = buffer.sequence,
         .age_us = age_us(buffer, calls_->monotonic_ns()),
-        .damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || used < whole,
-        .image_bytes = static_cast<std::uint32_t>(whole)};
+        .damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || used < size || used == 0,
+        .image_bytes = static_cast<std::uint32_t>(size)};
     const auto* bytes = static_cast<const std::byte*>(mapped.memory);
-    packets.push(camera::encode_header(header), Bytes(bytes, whole));
+    packets.push(camera::encode_header(header), Bytes(bytes, size));
     return give_back(buffer.index);
 }
 

@@ -1,24 +1,14 @@
 #pragma once
-// A camera over V4L2: memory-mapped streaming of GREY or YUYV frames, and the extension unit of a
-// UVC camera (DEVICES.md 1.8). Packets are camera/frame.h's.
+// A camera over V4L2: memory-mapped streaming of GREY, YUYV or MJPG frames, and the extension unit
+// of a UVC camera (DEVICES.md 1.8). Packets are camera/frame.h's.
 #include <memory>
 #include <vector>
 
 #include "devices/hardware/found_device.h"
 #include "devices/hardware/link.h"
-#include "devices/hardware/video_calls.h"
+#include "devices/hardware/video_modes.h"
 
 namespace foverig::hardware {
-
-/// What is asked of a camera; it may answer with another size.
-struct VideoMode {
-    std::uint32_t format = 0;  ///< fourcc
-    std::uint32_t width_px = 0, height_px = 0, rate_hz = 60;
-};
-
-/// The tracker camera's: GREY where the kernel knows the DK2's quirk, else the YUYV of half the
-/// width that the camera advertises.
-std::vector<VideoMode> tracker_modes();
 
 class VideoLink final : public Link {
   public:
@@ -26,6 +16,9 @@ class VideoLink final : public Link {
     /// busy, closed, unsupported, io.
     static Result<std::unique_ptr<Link>> open(const FoundDevice& device,
                                               const std::vector<VideoMode>& modes,
+                                              std::shared_ptr<VideoCalls> calls = kernel_video());
+    /// What is nearest to the wish of all that the camera offers. Errors: the same.
+    static Result<std::unique_ptr<Link>> open(const FoundDevice& device, const VideoWish& wish,
                                               std::shared_ptr<VideoCalls> calls = kernel_video());
     ~VideoLink() override;
 
@@ -45,6 +38,10 @@ class VideoLink final : public Link {
     VideoLink(std::string path, std::shared_ptr<VideoCalls> calls, int file)
         : path_(std::move(path)), calls_(std::move(calls)), file_(file) {}
 
+    static Result<std::unique_ptr<VideoLink>> opened(const FoundDevice& device,
+                                                     std::shared_ptr<VideoCalls> calls);
+    Status stream(const std::vector<VideoMode>& modes);
+    Status check_abilities();
     Status choose(const std::vector<VideoMode>& modes);
     Status map_buffers();
     Status start();
@@ -58,7 +55,8 @@ class VideoLink final : public Link {
     int file_;
     std::vector<Buffer> buffers_;
     bool streaming_ = false;
-    std::uint32_t format_ = 0, stride_bytes_ = 0;
+    std::uint32_t format_ = 0, stride_bytes_ = 0;  // no stride: the frames' sizes differ
+    std::size_t whole_bytes_ = 0;                  // of a frame, at most
     std::uint16_t width_px_ = 0, height_px_ = 0;
 };
 

@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "devices/camera/esp570.h"
-#include "simulators/usb/descriptors.h"
 
 namespace foverig::usb {
 namespace {
@@ -34,36 +33,42 @@ std::vector<std::byte> with_total_length(std::vector<std::byte> all, std::size_t
     return all;
 }
 
-std::vector<std::byte> video_control() {
+std::vector<std::byte> video_control(const CameraTraits& camera) {
     auto all = bytes_of({13, kClassInterface, 1, 0x00, 0x01, 0, 0, 0x80, 0x8D, 0x5B, 0x00, 1, 1});
     append(all, bytes_of({18, kClassInterface, 2, kInputTerminal, 0x01, 0x02, 0, 0, 0, 0, 0, 0, 0,
                           0, 3, 0, 0, 0}));
-    // Controls 2, 3 and 5 of the bridge chip.
-    append(all, bytes_of({26, kClassInterface, 6, camera::kExtensionUnit}));
-    append(all, kUnitGuid);
-    append(all, bytes_of({3, 1, kInputTerminal, 1, 0x16, 0}));
-    append(all, bytes_of({9, kClassInterface, 3, kOutputTerminal, 0x01, 0x01, 0,
-                          camera::kExtensionUnit, 0}));
+    unsigned source = kInputTerminal;
+    if (camera.extension_unit) {  // controls 2, 3 and 5 of the bridge chip
+        append(all, bytes_of({26, kClassInterface, 6, camera::kExtensionUnit}));
+        append(all, kUnitGuid);
+        append(all, bytes_of({3, 1, kInputTerminal, 1, 0x16, 0}));
+        source = camera::kExtensionUnit;
+    }
+    append(all, bytes_of({9, kClassInterface, 3, kOutputTerminal, 0x01, 0x01, 0, source, 0}));
     return with_total_length(std::move(all), 5);
 }
 
-std::vector<std::byte> video_streaming() {
+std::vector<std::byte> video_streaming(const CameraTraits& camera) {
     auto all = bytes_of({14, kClassInterface, 1, 1, 0, 0, 0x80U | kCameraFrames, 0, kOutputTerminal,
                          0, 0, 0, 1, 0});
     append(all, bytes_of({27, kClassInterface, 4, 1, 1}));  // one frame size
     append(all, kYuy2Guid);
     append(all, bytes_of({16, 1, 0, 0, 0, 0}));
-    constexpr std::uint32_t kBits_s = kCameraFrameBytes * 8 * 60;
-    auto frame = bytes_of({30, kClassInterface, 5, 1, 0, 0x78, 0x01, 0xE0, 0x01});
+    constexpr std::uint64_t kUnits_s = 10'000'000;  // of an interval
+    const auto bits_s =
+        static_cast<std::uint32_t>(camera.frame_bytes() * 8U * kUnits_s / camera.interval);
+    auto frame = bytes_of({30, kClassInterface, 5, 1, 0, byte_of(camera.width_px, 0),
+                           byte_of(camera.width_px, 1), byte_of(camera.height_px, 0),
+                           byte_of(camera.height_px, 1)});
     const auto append_word = [&](std::uint32_t word) {
         for (int i = 0; i < 4; ++i) frame.push_back(static_cast<std::byte>(byte_of(word, i)));
     };
-    append_word(kBits_s);
-    append_word(kBits_s);
-    append_word(kCameraFrameBytes);
-    append_word(kCameraInterval);
+    append_word(bits_s);
+    append_word(bits_s);
+    append_word(camera.frame_bytes());
+    append_word(camera.interval);
     frame.push_back(std::byte{1});
-    append_word(kCameraInterval);
+    append_word(camera.interval);
     append(all, frame);
     return with_total_length(std::move(all), 4);
 }
@@ -83,13 +88,32 @@ std::uint16_t extension_size(std::uint8_t selector) {
     }
 }
 
-std::vector<std::byte> camera_interfaces() {
+CameraTraits dk2_camera() {
+    return {.vendor = 0x2833,
+            .product = 0x0201,
+            .strings = {"Oculus VR, Inc.", "Positional Tracker DK2", "FOVERIGSIMCAMERA"},
+            .width_px = 376,
+            .height_px = 480,
+            .interval = 166'667,
+            .extension_unit = true};
+}
+
+CameraTraits room_camera() {
+    return {.vendor = 0x1209,
+            .product = 0x0003,
+            .strings = {"LS Open", "foverig room camera", "FOVERIGSIMROOM"},
+            .width_px = 640,
+            .height_px = 480,
+            .interval = 333'333};
+}
+
+std::vector<std::byte> camera_interfaces(const CameraTraits& camera) {
     constexpr unsigned kVideo = 0x0E;
     auto all = bytes_of({8, 0x0B, 0, 2, kVideo, 3, 0, 0});  // the two belong together
     append(all, bytes_of({9, 4, 0, 0, 0, kVideo, 1, 0, 0}));
-    append(all, video_control());
+    append(all, video_control(camera));
     append(all, bytes_of({9, 4, 1, 0, 1, kVideo, 2, 0, 0}));
-    append(all, video_streaming());
+    append(all, video_streaming(camera));
     append(all, bytes_of({7, 5, 0x80U | kCameraFrames, 2, 0x00, 0x02, 0}));
     return all;
 }

@@ -4,8 +4,6 @@
 
 #include "devices/camera/esp570.h"
 #include "devices/camera/frame.h"
-#include "simulators/usb/camera_descriptors.h"
-#include "simulators/usb/descriptors.h"
 
 namespace foverig::usb {
 namespace {
@@ -18,12 +16,12 @@ constexpr std::size_t kProbeSize = 26, kPayloadHeader = 2;
 constexpr unsigned kReadsAndWrites = 3, kInvalidControl = 6;
 
 /// The only stream there is, whatever is asked for (UVC 1.0, table 4-47).
-std::vector<std::byte> only_stream() {
+std::vector<std::byte> only_stream(const CameraTraits& camera) {
     std::vector<std::byte> bytes(kProbeSize);
     write_u8(bytes, 2, 1);
     write_u8(bytes, 3, 1);
-    write_u32(bytes, 4, kCameraInterval);
-    write_u32(bytes, 18, kCameraFrameBytes);
+    write_u32(bytes, 4, camera.interval);
+    write_u32(bytes, 18, camera.frame_bytes());
     write_u32(bytes, 22, kCameraPayload);
     return bytes;
 }
@@ -32,20 +30,23 @@ std::uint8_t selector_of(const Setup& setup) {
     return static_cast<std::uint8_t>(setup.value >> 8U);
 }
 
-bool is_extension(const Setup& setup) {
-    return setup.index == (camera::kExtensionUnit << 8U | kControlInterface);
-}
-
 }  // namespace
 
-CameraFunction::CameraFunction(Transport& device)
+CameraFunction::CameraFunction(Transport& device, const CameraTraits& traits)
     : device_(device),
+      traits_(traits),
       descriptors_{.speed = Speed::high,
-                   .device = device_descriptor(
-                       {.vendor = 0x2833, .product = 0x0201, .device_class = {0xEF, 0x02, 0x01}}),
+                   .device = device_descriptor({.vendor = traits.vendor,
+                                                .product = traits.product,
+                                                .device_class = {0xEF, 0x02, 0x01}}),
                    .configuration = configuration_descriptor({.interfaces = 2, .current_ma = 500},
-                                                             camera_interfaces()),
-                   .strings = {"Oculus VR, Inc.", "Positional Tracker DK2", "FOVERIGSIMCAMERA"}} {}
+                                                             camera_interfaces(traits)),
+                   .strings = traits.strings} {}
+
+bool CameraFunction::is_extension(const Setup& setup) const {
+    return traits_.extension_unit &&
+           setup.index == (camera::kExtensionUnit << 8U | kControlInterface);
+}
 
 std::optional<std::vector<std::byte>> CameraFunction::answer(const Setup& setup) {
     if (setup.type != kFromInterface) return std::nullopt;
@@ -53,7 +54,7 @@ std::optional<std::vector<std::byte>> CameraFunction::answer(const Setup& setup)
         if (selector_of(setup) != kProbe && selector_of(setup) != kCommit) return std::nullopt;
         if (setup.request == kGetLength) return bytes_of({kProbeSize, 0});
         if (setup.request == kGetInfo) return bytes_of({kReadsAndWrites});
-        return only_stream();
+        return only_stream(traits_);
     }
     if (setup.index == kControlInterface && selector_of(setup) == kErrorCode) {
         return bytes_of({kInvalidControl});  // the kernel asks why a request stalled

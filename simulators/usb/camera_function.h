@@ -1,9 +1,10 @@
 #pragma once
-// The DK2's tracker camera as its host's USB sees it (DEVICES.md 1.8): a UVC camera with the bridge
-// chip's extension unit.
+// A camera as its host's USB sees it: UVC, and for the DK2's tracker camera the bridge chip's
+// extension unit (DEVICES.md 1.8).
 #include <atomic>
 
 #include "devices/transport.h"
+#include "simulators/usb/camera_descriptors.h"
 #include "simulators/usb/usb_function.h"
 
 namespace foverig::usb {
@@ -11,7 +12,7 @@ namespace foverig::usb {
 class CameraFunction final : public UsbFunction {
   public:
     /// `device` answers the extension unit; it outlives the function and is safe for threads.
-    explicit CameraFunction(Transport& device);
+    explicit CameraFunction(Transport& device, const CameraTraits& traits = dk2_camera());
 
     const Descriptors& descriptors() const override { return descriptors_; }
     std::optional<std::vector<std::byte>> answer(const Setup& setup) override;
@@ -20,9 +21,11 @@ class CameraFunction final : public UsbFunction {
     std::vector<std::vector<std::byte>> transfers(std::vector<std::byte> packet) override;
 
   private:
+    bool is_extension(const Setup& setup) const;
     std::optional<std::vector<std::byte>> answer_unit(const Setup& setup);
 
     Transport& device_;
+    CameraTraits traits_;
     Descriptors descriptors_;
     std::atomic<bool> streams_{false};
     std::uint8_t frame_id_ = 0;  // toggles from frame to frame

@@ -35,6 +35,7 @@ class FoundCameras : public testing::Test {
         write(device / "serial", "S-" + usb);
         write(device / "speed", "480");
         write(video / "index", index);
+        write(video / "name", "Camera of " + usb);
         fs::create_directory_symlink(interface, video / "device");
         fs::create_directory_symlink(video, root_ / "class" / node);
         write(root_ / "dev" / node, "");
@@ -56,6 +57,7 @@ TEST_F(FoundCameras, AreKnownByTheirUsbDevice) {
     EXPECT_EQ(cameras[0].usb_mbit_s, 480);
     EXPECT_TRUE(cameras[0].device.path.ends_with("/dev/video0"));
     EXPECT_EQ(text_of(cameras[1].id), "046d:0825");
+    EXPECT_EQ(cameras[1].name, "Camera of 1-4");
 }
 
 TEST_F(FoundCameras, ANodeThatIsGoneIsSaidToBe) {

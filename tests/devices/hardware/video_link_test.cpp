@@ -286,5 +286,32 @@ TEST(VideoLink, TheExtensionUnitIsAskedAsUvcHasIt) {
     EXPECT_EQ(link->control_get(2, 4, 3).error().code, ErrorCode::io);
 }
 
+/// MJPG's frames differ in size, and have no rows.
+TEST(VideoLink, GivesCompressedFramesAsLongAsTheyAre) {
+    PlayedKernel kernel;
+    kernel.format = V4L2_PIX_FMT_MJPEG;
+    auto link = VideoLink::open(
+        kNode,
+        std::vector<VideoMode>{{.format = V4L2_PIX_FMT_MJPEG, .width_px = 752, .height_px = 480}},
+        borrowed(kernel));
+    ASSERT_TRUE(link) << link.error().text;
+    ManualClock clock;
+    PacketQueue queue(clock);
+    kernel.fill(1, 5);
+    kernel.filled.bytesused = 1234;
+    ASSERT_TRUE((*link)->read(queue));
+    kernel.fill(2, 6);
+    kernel.filled.bytesused = 0;
+    ASSERT_TRUE((*link)->read(queue));
+    const Packet packet = only_packet(queue);
+    const auto header = camera::decode_any_header(packet.bytes);
+    ASSERT_TRUE(header) << header.error().text;
+    EXPECT_EQ(header->format, camera::kMjpeg);
+    EXPECT_EQ(header->stride_bytes, 0u);
+    EXPECT_EQ(header->image_bytes, 1234u);
+    EXPECT_FALSE(header->damaged);
+    EXPECT_FALSE(camera::decode_any_header(only_packet(queue).bytes)) << "nothing in it";
+}
+
 }  // namespace
 }  // namespace foverig::hardware

@@ -1,40 +1,26 @@
-// The tracker camera through the kernel's uvcvideo and its quirk for this camera, beside headset
-// and gaze tracker. Its frames are numbered patterns: drawing LEDs takes longer than a frame on the
-// virtual machine's clock. Its extension unit is the simulated camera's.
-#include <cmath>
+// Cameras through the kernel's uvcvideo: the tracker camera's extension unit, and a camera like any
+// other, whose size and rate are chosen of what it offers. (The tracker camera's stream is
+// streams_test.cpp's.)
+#include <algorithm>
 
-#include "devices/camera/frame.h"
+#include "devices/camera/rgb_image.h"
 #include "devices/camera/tracker_camera.h"
-#include "devices/gaze/requests.h"
+#include "devices/hardware/found_cameras.h"
 #include "simulators/camera/camera_registers.h"
+#include "simulators/camera/room_camera.h"
 #include "simulators/usb/camera_descriptors.h"
 #include "simulators/usb/camera_function.h"
 #include "simulators/usb/exposed_device.h"
 #include "simulators/usb/vhci_face.h"
 #include "tests/kernel/drivers/desk.h"
-#include "tests/kernel/exposed.h"
 
 namespace foverig::test {
 namespace {
 
-constexpr Nanoseconds kFrameTime{16'666'667}, kMeasured = 4 * kSecond;
-
-/// Frame n is full of bytes of n, the first eight are n itself.
-std::vector<std::byte> pattern(std::uint64_t number) {
-    std::vector<std::byte> image(usb::kCameraFrameBytes, static_cast<std::byte>(number * 37));
-    write_u64(image, 0, number);
-    return image;
-}
-
-class NumberedFrames final : public Transport {
+/// A camera that answers, and never sends a frame.
+class AnsweringCamera final : public Transport {
   public:
-    explicit NumberedFrames(const Clock& clock) : clock_(clock), next_(clock.now()) {}
-
-    NextPacket next(HostTime deadline) override {
-        if (deadline < next_) return Timeout{};
-        const HostTime due = std::exchange(next_, next_ + kFrameTime);
-        return Packet{due, camera::encode_frame({}, pattern(number_++))};
-    }
+    NextPacket next(HostTime) override { return Timeout{}; }
     Status control_set(std::uint8_t id, std::uint16_t, std::span<const std::byte> data) override {
         return registers_.set(id, data);
     }
@@ -44,80 +30,59 @@ class NumberedFrames final : public Transport {
     }
 
   private:
-    const Clock& clock_;
-    HostTime next_;
-    std::uint64_t number_ = 0;
     CameraRegisters registers_{camera::Lens{}};
 };
 
-class TrackerCameraOnUsb : public testing::Test {
-  protected:
-    void SetUp() override {
-        auto begun = usb::ExposedDevice::begin(model, clock, [this] {
-            return usb::VhciFace::plug_in(std::make_unique<usb::CameraFunction>(model),
-                                          usb::kCameraFrames, clock);
-        });
-        ASSERT_TRUE(begun) << begun.error().text;
-        device = std::move(begun).value();
-        link = opened([&] { return hardware::open_tracker_camera(clock, ""); });
-        ASSERT_TRUE(link);
-    }
-    void TearDown() override {
-        link.reset();
-        device.reset();
-    }
+/// A room that turns before its camera; remembers what was sent.
+class RememberedRoom final : public Transport {
+  public:
+    explicit RememberedRoom(Clock& clock)
+        : room_(
+              clock,
+              [](HostTime t) {
+                  const double angle_rad = 0.3 * to_seconds(t.time_since_epoch());
+                  return RigidPose{glm::angleAxis(angle_rad, dvec3(0, 1, 0)), dvec3(0)};
+              },
+              60.0) {}
 
-    WallClock clock;
-    NumberedFrames frames{clock};
-    usb::LockedTransport model{frames};
-    std::unique_ptr<usb::ExposedDevice> device;
-    std::unique_ptr<hardware::LiveTransport> link;
+    NextPacket next(HostTime deadline) override {
+        NextPacket got = room_.next(deadline);
+        if (const auto* packet = std::get_if<Packet>(&got))
+            sent.push_back(to_vector(packet->bytes));
+        return got;
+    }
+    Status control_set(std::uint8_t id, std::uint16_t value,
+                       std::span<const std::byte> data) override {
+        return room_.control_set(id, value, data);
+    }
+    Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
+                                               std::size_t size) override {
+        return room_.control_get(id, value, size);
+    }
+    std::vector<std::vector<std::byte>> sent;
+
+  private:
+    RoomCamera room_;
 };
 
-TEST_F(TrackerCameraOnUsb, GivesEveryFrameWholeWhileTheOthersStream) {
-    Exposed headset_process(std::vector<std::string>{"dk2"});
-    Exposed tracker_process(std::vector<std::string>{"gaze"});
-    const auto headset_link = headset(clock);
-    const auto tracker_link = tracker(clock);
-    ASSERT_TRUE(headset_link && tracker_link);
-    EXPECT_TRUE(tracker_link->control_set(gaze::request::set_rate, 60, {}));
-    EXPECT_TRUE(tracker_link->control_set(gaze::request::start, 0, {}));
-    const HostTime from = clock.now() + kSecond, until = from + kMeasured;
-    for (auto* other : {link.get(), headset_link.get(), tracker_link.get()}) {
-        packets_until(*other, from);
-    }
-    const auto got = packets_until(*link, until);  // first: it keeps but a few
-    const auto reports = packets_until(*headset_link, until);
-    const auto gaze_frames = packets_until(*tracker_link, until);
-
-    EXPECT_NEAR(static_cast<double>(got.size()), 240.0, 12.0);  // some may have waited
-    std::optional<std::uint64_t> before;
-    for (const Packet& packet : got) {
-        const auto header = camera::decode_header(packet.bytes);
-        ASSERT_TRUE(header);
-        ASSERT_EQ(header->format, camera::kGrey) << "the kernel's quirk for 2833:0201";
-        ASSERT_EQ(header->width_px, 752);
-        ASSERT_EQ(header->height_px, 480);
-        ASSERT_FALSE(header->damaged);
-        const Bytes image = Bytes(packet.bytes).subspan(camera::FrameHeader::kSize);
-        const std::uint64_t number = read_u64(image, 0);
-        ASSERT_TRUE(std::ranges::equal(image, pattern(number))) << "frame " << number;
-        if (before) {
-            ASSERT_EQ(number, *before + 1);
-        }
-        before = number;
-    }
-    EXPECT_NEAR(static_cast<double>(reports.size()), 4000.0, 40.0);
-    for (std::size_t i = 1; i < reports.size(); ++i) {
-        ASSERT_EQ(static_cast<std::uint16_t>(read_u16(reports[i - 1].bytes, 4) + 1),
-                  read_u16(reports[i].bytes, 4))
-            << "report " << i;
-    }
-    EXPECT_NEAR(static_cast<double>(gaze_frames.size()), 244.0, 4.0);
+std::unique_ptr<usb::ExposedDevice> exposed(usb::LockedTransport& model, Clock& clock,
+                                            const usb::CameraTraits& traits) {
+    auto begun = usb::ExposedDevice::begin(model, clock, [&model, &clock, traits] {
+        return usb::VhciFace::plug_in(std::make_unique<usb::CameraFunction>(model, traits),
+                                      usb::kCameraFrames, clock);
+    });
+    EXPECT_TRUE(begun) << begun.error().text;
+    return begun ? std::move(begun).value() : nullptr;
 }
 
-TEST_F(TrackerCameraOnUsb, AnswersThroughTheKernelsExtensionUnit) {
+TEST(TrackerCameraOnUsb, AnswersThroughTheKernelsExtensionUnit) {
     using namespace camera;
+    WallClock clock;
+    AnsweringCamera answering;
+    usb::LockedTransport model(answering);
+    const auto device = exposed(model, clock, usb::dk2_camera());
+    const auto link = opened([&] { return hardware::open_tracker_camera(clock, ""); });
+    ASSERT_TRUE(device && link);
     Esp570 bridge(*link);
     const auto chip = bridge.read_register(i2c::kSensor, mt9v034::kRegChipVersion);
     ASSERT_TRUE(chip) << chip.error().text;
@@ -131,6 +96,53 @@ TEST_F(TrackerCameraOnUsb, AnswersThroughTheKernelsExtensionUnit) {
     const auto source = TrackerCamera::open(*link, Sync::free_running);
     ASSERT_TRUE(source) << source.error().text;
     EXPECT_TRUE(source->calibrated()) << "the lens of its EEPROM";
+}
+
+TEST(AnyCameraOnUsb, GivesEveryFrameOfTheNearestSizeAndRate) {
+    constexpr hardware::UsbId kId{0x1209, 0x0003};
+    WallClock clock;
+    RememberedRoom room(clock);
+    usb::LockedTransport model(room);
+    auto device = exposed(model, clock, usb::room_camera());
+    auto link = opened([&] {
+        return hardware::open_video_camera(clock, hardware::text_of(kId),
+                                           {.width_px = 800, .height_px = 600, .rate_hz = 60});
+    });
+    ASSERT_TRUE(device && link);
+    const auto found = hardware::find_cameras_of(kId);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].serial, "FOVERIGSIMROOM");
+    const HostTime from = clock.now() + kSecond / 2, until = from + 2 * kSecond;
+    packets_until(*link, from);
+    const auto got = packets_until(*link, until);
+    EXPECT_EQ(link->control_get(2, 4, 6).error().code, ErrorCode::unsupported) << "no such unit";
+    link.reset();
+    device.reset();
+
+    EXPECT_NEAR(static_cast<double>(got.size()), 60.0, 2.0);
+    const auto same = [&got](std::size_t i, Bytes sent) {
+        return std::ranges::equal(Bytes(got[i].bytes).subspan(camera::FrameHeader::kSize),
+                                  sent.subspan(camera::FrameHeader::kSize));
+    };
+    ASSERT_FALSE(got.empty());
+    auto at = std::ranges::find_if(room.sent, [&](Bytes sent) { return same(0, sent); });
+    std::optional<std::uint32_t> before;
+    for (std::size_t i = 0; i < got.size(); ++i, ++at) {
+        const auto header = camera::decode_any_header(got[i].bytes);
+        ASSERT_TRUE(header) << header.error().text;
+        ASSERT_EQ(header->format, camera::kYuyv);
+        ASSERT_EQ(header->width_px, 640);
+        ASSERT_EQ(header->height_px, 480);
+        ASSERT_FALSE(header->damaged);
+        ASSERT_EQ(header->sequence, before.value_or(header->sequence - 1) + 1);
+        before = header->sequence;
+        ASSERT_NE(at, room.sent.end()) << "frame " << i << " was never sent";
+        ASSERT_TRUE(same(i, *at)) << "frame " << i;
+    }
+    camera::RgbImage image;
+    EXPECT_TRUE(
+        camera::to_rgb(*camera::decode_any_header(got.back().bytes), got.back().bytes, image));
+    EXPECT_EQ(image.bytes.size(), 640u * 480u * 3u);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST_F(CameraOnUsb, OffersOneStreamOfHalfTheWidth) {
                                   .length = 26}),
                   bytes_of(kStream));
     }
-    const auto interfaces = camera_interfaces();
+    const auto interfaces = camera_interfaces(dk2_camera());
     // USB Video Payload Uncompressed, 2.2: the GUID of YUY2.
     const auto guid = bytes_of("5955593200001000800000aa00389b71");
     const auto found = std::search(interfaces.begin(), interfaces.end(), guid.begin(), guid.end());
