@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "devices/display/display.h"
 #include "renderer/scene/library.h"
 #include "rig/failure.h"
 #include "rig/text/nearest.h"
@@ -53,9 +54,10 @@ Scene load(const Scenario& scenario) {
 
 }  // namespace
 
-std::shared_ptr<const Scene> open_scene(const Scenario& scenario) {
+std::shared_ptr<const Scene> open_scene(const Scenario& scenario, bool sees_through) {
     Scene scene = load(scenario);
     apply_lights(scenario.lights, scene);
+    if (sees_through) scene.background = {kNothingMet[0], kNothingMet[1], kNothingMet[2]};
     return std::make_shared<const Scene>(std::move(scene));
 }
 

@@ -9,7 +9,8 @@ namespace foverig {
 
 /// The scenario's scene with the scenario's lights. Throws UsageError for a name that is neither
 /// built in nor a file, with the nearest built-in one; SceneError for a file that cannot be used.
-std::shared_ptr<const Scene> open_scene(const Scenario& scenario);
+/// `sees_through`: rays that meet nothing bring kNothingMet, so that a display knows them.
+std::shared_ptr<const Scene> open_scene(const Scenario& scenario, bool sees_through = false);
 
 /// make_renderer, with what it refuses as UsageError.
 std::unique_ptr<Renderer> open_renderer(std::shared_ptr<const Scene> scene,

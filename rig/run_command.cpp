@@ -130,7 +130,7 @@ ExitCode run_command(const RunRequest& request) {
     if (live) fmt::print(stderr, "{}: Escape ends the run, H shows the HUD\n", live->shown_on());
     RunFolder folder(request.out);
     fmt::print(stderr, "loading {}\n", scenario.scene);
-    const auto scene = open_scene(scenario);
+    const auto scene = open_scene(scenario, !scenario.see_through.camera.empty());
     auto governed = open_governed(scenario, scene);
     auto* const governor = governed.get();
     std::unique_ptr<Renderer> renderer = std::move(governed);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "devices/display/panel_timing.h"
@@ -29,6 +30,20 @@ struct EyePicture {
     std::function<bool(unsigned int texture)> copy_to_texture{};
 };
 
+/// The colour of an eye's pixels that met nothing, where a camera's picture is to be seen there:
+/// black to any eye, exact in halves, and no surface's.
+inline constexpr std::array<float, 3> kNothingMet{0x1p-13F, 0x1p-12F, 0x1p-13F};
+
+/// What a camera on the headset sees, to be shown where an eye's picture met nothing. It looks as
+/// the head does, and has no distortion; what it sees lies far away.
+struct BehindPicture {
+    int width_px = 0, height_px = 0;
+    std::span<const std::uint8_t> srgb;  ///< rows from the top without padding, three bytes a pixel
+    bool changed = true;                 ///< it is another one than at the last draw
+    double tan_half_width = 0.0;         ///< of its field of view
+    dquat world_from_camera{1, 0, 0, 0};  ///< when it was exposed; a head's axes
+};
+
 /// What it takes to draw a frame. Arrays: left, right.
 struct FramePictures {
     std::size_t eyes = 0;  ///< 1: the left one only
@@ -36,6 +51,7 @@ struct FramePictures {
     std::array<dquat, 2> world_from_head{};  ///< what the pictures were rendered for
     /// The newest of that, for the light of each eye; asked for as late as possible, at most once.
     std::function<std::array<dquat, 2>()> newest;
+    std::optional<BehindPicture> behind{};  ///< absent: black is black
 };
 
 /// Where the time of drawing went.

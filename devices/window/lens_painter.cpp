@@ -4,56 +4,10 @@
 
 #include <cstddef>
 
+#include "devices/window/lens_shaders.h"
+
 namespace foverig::window {
 namespace {
-
-constexpr const char* kVertexShader = R"(#version 330 core
-layout(location = 0) in vec2 place;
-layout(location = 1) in vec2 red_at;
-layout(location = 2) in vec2 green_at;
-layout(location = 3) in vec2 blue_at;
-uniform mat2 viewport_from_panel;
-out vec2 red_tangent;
-out vec2 green_tangent;
-out vec2 blue_tangent;
-void main() {
-    gl_Position = vec4(viewport_from_panel * place, 0.0, 1.0);
-    red_tangent = red_at;
-    green_tangent = green_at;
-    blue_tangent = blue_at;
-}
-)";
-
-// Outside the picture is black, as in the lens pass on the CPU.
-constexpr const char* kFragmentShader = R"(#version 330 core
-in vec2 red_tangent;
-in vec2 green_tangent;
-in vec2 blue_tangent;
-uniform sampler2D picture;
-uniform vec4 frustum;  // tangents: left, right, up, down
-uniform mat3 rendered_from_newest;
-out vec4 colour;
-
-vec3 fetch(vec2 tangent) {
-    vec3 ray = rendered_from_newest * vec3(tangent, -1.0);
-    if (ray.z >= 0.0) return vec3(0.0);
-    vec2 t = ray.xy / -ray.z;
-    vec2 at = vec2((t.x + frustum.x) / (frustum.x + frustum.y),
-                   (frustum.z - t.y) / (frustum.z + frustum.w));
-    if (any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) return vec3(0.0);
-    return textureLod(picture, at, 0.0).rgb;
-}
-
-vec3 srgb(vec3 linear) {
-    vec3 c = clamp(linear, 0.0, 1.0);
-    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
-}
-
-void main() {
-    colour = vec4(srgb(vec3(fetch(red_tangent).r, fetch(green_tangent).g, fetch(blue_tangent).b)),
-                  1.0);
-}
-)";
 
 void attribute(GLuint index, std::size_t offset) {
     glEnableVertexAttribArray(index);
@@ -65,18 +19,29 @@ constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
 
 }  // namespace
 
-Result<LensPainter> LensPainter::make(const EyeMap& map) {
-    Result<GlProgram> program = link_program(kVertexShader, kFragmentShader);
-    if (!program) return program.error();
-    return LensPainter(std::move(program).value(), map);
+LensPainter::Shader::Shader(GlProgram linked)
+    : program(std::move(linked)),
+      turn(glGetUniformLocation(program.name(), "viewport_from_panel")),
+      frustum(glGetUniformLocation(program.name(), "frustum")),
+      warp(glGetUniformLocation(program.name(), "rendered_from_newest")),
+      behind(glGetUniformLocation(program.name(), "behind")),
+      behind_tangents(glGetUniformLocation(program.name(), "behind_tangents")),
+      camera(glGetUniformLocation(program.name(), "camera_from_newest")) {}
+
+Result<LensPainter> LensPainter::make(const EyeMap& map, bool sees_through) {
+    Result<GlProgram> plain = link_program(kLensVertexShader, lens_fragment_shader(false).c_str());
+    if (!plain) return plain.error();
+    LensPainter painter(std::move(plain).value(), map);
+    if (!sees_through) return painter;
+    auto seen_through = link_program(kLensVertexShader, lens_fragment_shader(true).c_str());
+    if (!seen_through) return seen_through.error();
+    painter.seen_through_.emplace(std::move(seen_through).value());
+    painter.behind_.emplace();
+    return painter;
 }
 
 LensPainter::LensPainter(GlProgram program, const EyeMap& map)
-    : program_(std::move(program)),
-      map_(map),
-      turn_(glGetUniformLocation(program_.name(), "viewport_from_panel")),
-      frustum_(glGetUniformLocation(program_.name(), "frustum")),
-      warp_(glGetUniformLocation(program_.name(), "rendered_from_newest")) {
+    : plain_(std::move(program)), map_(map) {
     for (std::size_t i = 0; i < kEyes.size(); ++i) meshes_[i] = uploaded(lens_mesh(kEyes[i], map_));
 }
 
@@ -104,24 +69,41 @@ void LensPainter::fill(Eye eye, const EyePicture& picture) {
     textures_[static_cast<std::size_t>(eye)].fill(picture);
 }
 
+void LensPainter::fill(const BehindPicture& picture) {
+    behind_->fill(picture);
+}
+
 void LensPainter::paint(const PanelView& view, std::size_t eyes,
-                        const std::array<dmat3, 2>& rendered_from_newest) const {
+                        const std::array<dmat3, 2>& rendered_from_newest,
+                        const std::optional<std::array<dmat3, 2>>& camera_from_newest) const {
+    const Shader& shader = camera_from_newest ? *seen_through_ : plain_;
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
     glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
     const PanelView::Rectangle& r = view.viewport();
     glViewport(r.x_px, r.y_px, r.width_px, r.height_px);
-    glUseProgram(program_.name());
+    glUseProgram(shader.program.name());
     const glm::mat2 turn(view.viewport_from_panel());
-    glUniformMatrix2fv(turn_, 1, GL_FALSE, glm::value_ptr(turn));
+    glUniformMatrix2fv(shader.turn, 1, GL_FALSE, glm::value_ptr(turn));
+    if (camera_from_newest) {
+        glActiveTexture(GL_TEXTURE1);
+        glBindTexture(GL_TEXTURE_2D, behind_->name());
+        glUniform1i(shader.behind, 1);
+        const glm::vec2 half(behind_->half_tangents());
+        glUniform2fv(shader.behind_tangents, 1, glm::value_ptr(half));
+    }
     glActiveTexture(GL_TEXTURE0);
     for (std::size_t i = 0; i < eyes; ++i) {
         const TangentFrustum f = map_.frustum(kEyes[i]);
-        glUniform4f(frustum_, static_cast<float>(f.left), static_cast<float>(f.right),
+        glUniform4f(shader.frustum, static_cast<float>(f.left), static_cast<float>(f.right),
                     static_cast<float>(f.up), static_cast<float>(f.down));
         const glm::mat3 warp(rendered_from_newest[i]);
-        glUniformMatrix3fv(warp_, 1, GL_FALSE, glm::value_ptr(warp));
+        glUniformMatrix3fv(shader.warp, 1, GL_FALSE, glm::value_ptr(warp));
+        if (camera_from_newest) {
+            const glm::mat3 turned((*camera_from_newest)[i]);
+            glUniformMatrix3fv(shader.camera, 1, GL_FALSE, glm::value_ptr(turned));
+        }
         glBindTexture(GL_TEXTURE_2D, textures_[i].name());
         glBindVertexArray(meshes_[i].array.name());
         glDrawElements(GL_TRIANGLES, meshes_[i].index_count, GL_UNSIGNED_INT, nullptr);

@@ -11,6 +11,11 @@ double nominal_hz(const Window& window, double rate_hz) {
     return window.refresh_hz() > 0 ? window.refresh_hz() : rate_hz;
 }
 
+/// Directions in the axes of `from` to those of `to`; both are in the world.
+dmat3 turn_between(const dquat& from, const dquat& to) {
+    return glm::mat3_cast(glm::conjugate(to) * from);
+}
+
 /// The grey of the corner as the panel's memory gets it: no sRGB on the way.
 void paint_latency_pixel(const PanelView::Rectangle& at, std::uint8_t level) {
     const float grey = static_cast<float>(level) / 255.0F;
@@ -51,17 +56,22 @@ DrawTimes WindowDisplay::draw(const FramePictures& frame) {
     const HostTime begin = stopwatch_.now();
     for (std::size_t i = 0; i < frame.eyes; ++i)
         painter_.fill(i == 0 ? Eye::left : Eye::right, frame.pictures[i]);
+    if (frame.behind) painter_.fill(*frame.behind);
     glFinish();  // so that the pose is asked for when nothing but the drawing is left
     const HostTime uploaded = stopwatch_.now();
+    const std::array<dquat, 2> newest = frame.newest ? frame.newest() : frame.world_from_head;
     std::array<dmat3, 2> rendered_from_newest{dmat3(1.0), dmat3(1.0)};
     if (frame.newest) {
-        const std::array<dquat, 2> newest = frame.newest();
         for (std::size_t i = 0; i < frame.eyes; ++i)
-            rendered_from_newest[i] =
-                glm::mat3_cast(glm::conjugate(frame.world_from_head[i]) * newest[i]);
+            rendered_from_newest[i] = turn_between(newest[i], frame.world_from_head[i]);
+    }
+    std::optional<std::array<dmat3, 2>> camera_from_newest;
+    if (frame.behind) {
+        const dquat& camera = frame.behind->world_from_camera;
+        camera_from_newest = {turn_between(newest[0], camera), turn_between(newest[1], camera)};
     }
     const PanelView on = window_.view();
-    painter_.paint(on, frame.eyes, rendered_from_newest);
+    painter_.paint(on, frame.eyes, rendered_from_newest, camera_from_newest);
     if (overlay_) overlay_(on);
     glFinish();
     return {uploaded - begin, stopwatch_.now() - uploaded};

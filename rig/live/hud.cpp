@@ -88,6 +88,8 @@ void Hud::draw_numbers(double scale) const {
     ImGui::Text("motion to photon %s, warped %s", ms(frames_.motion_to_photon_ms()).c_str(),
                 ms(frames_.warp_to_photon_ms()).c_str());
     ImGui::Text("gaze to photon   %s", ms(frames_.gaze_to_photon_ms()).c_str());
+    if (frames_.see_through_to_photon_ms())
+        ImGui::Text("camera to photon %s", ms(frames_.see_through_to_photon_ms()).c_str());
     ImGui::Text("dropped %llu frames, repeated %llu vsyncs",
                 static_cast<unsigned long long>(frames_.dropped()),
                 static_cast<unsigned long long>(frames_.repeated()));

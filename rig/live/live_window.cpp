@@ -11,10 +11,16 @@ constexpr char kHudKey = 'H';
 }  // namespace
 
 std::unique_ptr<LiveWindow> LiveWindow::open(const Scenario& scenario) {
-    if (scenario.display.kind == "virtual") return nullptr;
+    const bool sees_through = !scenario.see_through.camera.empty();
+    if (scenario.display.kind == "virtual") {
+        if (!sees_through) return nullptr;
+        throw UsageError("see_through.camera = " + scenario.see_through.camera +
+                         " and display.kind = virtual: only a window shows a camera's picture; add "
+                         "--display window");
+    }
     auto opened = open_window(scenario, "foverig: " + scenario.scene);
-    auto painter =
-        window_or_throw(scenario, window::LensPainter::make(EyeMap(scenario.display.distortion)));
+    auto painter = window_or_throw(
+        scenario, window::LensPainter::make(EyeMap(scenario.display.distortion), sees_through));
     return std::unique_ptr<LiveWindow>(
         new LiveWindow(scenario, std::move(opened), std::move(painter)));
 }

@@ -10,6 +10,7 @@ void RecentFrames::add(const FrameRecord& frame) {
     motion_to_photon_ms_ = foverig::motion_to_photon_ms(frame);
     warp_to_photon_ms_ = foverig::warp_to_photon_ms(frame);
     gaze_to_photon_ms_ = foverig::gaze_to_photon_ms(frame);
+    see_through_to_photon_ms_ = foverig::see_through_to_photon_ms(frame);
     // This one took the VSync of the frame before, which nobody saw then.
     if (last_vsync_ && frame.shown_vsync == last_vsync_) ++dropped_;
     last_vsync_ = frame.shown_vsync;

@@ -20,6 +20,8 @@ class RecentFrames {
     std::optional<double> motion_to_photon_ms() const { return motion_to_photon_ms_; }
     std::optional<double> warp_to_photon_ms() const { return warp_to_photon_ms_; }
     std::optional<double> gaze_to_photon_ms() const { return gaze_to_photon_ms_; }
+    /// Absent: no camera sees through.
+    std::optional<double> see_through_to_photon_ms() const { return see_through_to_photon_ms_; }
     std::uint64_t dropped() const { return dropped_; }    ///< frames that no VSync showed
     std::uint64_t repeated() const { return repeated_; }  ///< VSyncs that showed an older frame
     /// Of each eye, in its own frame.
@@ -27,7 +29,8 @@ class RecentFrames {
 
   private:
     std::vector<float> frame_ms_;
-    std::optional<double> motion_to_photon_ms_, warp_to_photon_ms_, gaze_to_photon_ms_;
+    std::optional<double> motion_to_photon_ms_, warp_to_photon_ms_, gaze_to_photon_ms_,
+        see_through_to_photon_ms_;
     std::uint64_t dropped_ = 0, repeated_ = 0;
     std::optional<std::uint64_t> last_vsync_;
     std::array<vec3, 2> gaze_{vec3(0.0F, 0.0F, -1.0F), vec3(0.0F, 0.0F, -1.0F)};

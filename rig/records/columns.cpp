@@ -52,6 +52,10 @@ std::vector<Column> instants() {
         {"warp_sample_ns", "ns",
          "newest inertial sample behind the late warp of a window's picture",
          [](F f) { return ns(taken(f.warp)); }},
+        {"see_through_ns", "ns",
+         "middle of the exposure of the camera frame behind a window's picture, by "
+         "see_through.latency_ms",
+         [](F f) { return ns(taken(f.see_through)); }},
         {"submit_ns", "ns", "images of all eyes are rendered",
          [](F f) { return Cell(ns(f.submit)); }},
         {"present_ns", "ns", "distorted and handed to the display",
@@ -81,6 +85,8 @@ std::vector<Column> times_and_counts() {
          [](F f) { return cell(gaze_to_photon_ms(f)); }},
         {"warp_to_photon_ms", "ms", "sample behind the late warp to photon",
          [](F f) { return cell(warp_to_photon_ms(f)); }},
+        {"see_through_to_photon_ms", "ms", "camera frame's exposure to photon: its age",
+         [](F f) { return cell(see_through_to_photon_ms(f)); }},
         {"imu_transport_ms", "ms",
          "sample to its arrival, beyond the smallest such delay, which no clock map can see",
          [](F f) { return cell(imu_transport_ms(f)); }},
@@ -164,6 +170,9 @@ std::optional<double> gaze_to_photon_ms(const FrameRecord& f) {
 }
 std::optional<double> warp_to_photon_ms(const FrameRecord& f) {
     return ms_between(taken(f.warp), f.photon);
+}
+std::optional<double> see_through_to_photon_ms(const FrameRecord& f) {
+    return ms_between(taken(f.see_through), f.photon);
 }
 std::optional<double> imu_transport_ms(const FrameRecord& f) {
     return ms_between(taken(f.pose), arrived(f.pose));

@@ -30,6 +30,7 @@ std::vector<Column> wall_columns(const std::vector<FrameRecord>& frames);
 /// Latencies of a frame, in ms; absent where an end is.
 std::optional<double> motion_to_photon_ms(const FrameRecord& frame);
 std::optional<double> gaze_to_photon_ms(const FrameRecord& frame);
+std::optional<double> see_through_to_photon_ms(const FrameRecord& frame);
 std::optional<double> warp_to_photon_ms(const FrameRecord& frame);
 std::optional<double> imu_transport_ms(const FrameRecord& frame);
 std::optional<double> gaze_transport_ms(const FrameRecord& frame);

@@ -26,9 +26,10 @@ struct FrameRecord {
     std::optional<SampleInstants> pose;  ///< newest inertial sample behind the head pose
     std::optional<SampleInstants> gaze;  ///< newest valid gaze sample
     std::optional<SampleInstants> warp;  ///< ... behind the late warp; absent: there was none
-    HostTime submit{};                   ///< images of all eyes are done
-    HostTime present{};                  ///< handed to the display, distorted
-    std::optional<HostTime> vsync;       ///< scan-out begins; absent: dropped
+    std::optional<SampleInstants> see_through;          ///< camera frame behind a window's picture
+    HostTime submit{};                                  ///< images of all eyes are done
+    HostTime present{};                                 ///< handed to the display, distorted
+    std::optional<HostTime> vsync;                      ///< scan-out begins; absent: dropped
     std::array<std::optional<HostTime>, 2> photon_eye;  ///< mid-persistence at each eye's centre
     std::optional<HostTime> photon;                     ///< mean of the eyes' photons
     HostTime predicted_photon{};                        ///< what the pose was predicted to

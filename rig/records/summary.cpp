@@ -101,6 +101,7 @@ json latencies(const std::vector<FrameRecord>& frames) {
         {"motion_to_photon", spread(frames, motion_to_photon_ms)},
         {"gaze_to_photon", spread(frames, gaze_to_photon_ms)},
         {"warp_to_photon", spread(frames, warp_to_photon_ms)},
+        {"see_through_to_photon", spread(frames, see_through_to_photon_ms)},
         {"imu_transport", spread(frames, imu_transport_ms)},
         {"gaze_transport", spread(frames, gaze_transport_ms)},
         {"motion_to_photon_readback", spread(frames, readback_ms)},

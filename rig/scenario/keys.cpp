@@ -5,6 +5,7 @@
 #include "rig/scenario/hardware_keys.h"
 #include "rig/scenario/key_makers.h"
 #include "rig/scenario/render_keys.h"
+#include "rig/scenario/see_through_keys.h"
 #include "rig/scenario/simulation_keys.h"
 #include "rig/scenario/window_keys.h"
 #include "rig/scenario/world_keys.h"
@@ -155,6 +156,7 @@ std::vector<Key> make_keys() {
     add_run_keys(keys);
     add_display_keys(keys);
     add_window_keys(keys);
+    add_see_through_keys(keys);
     add_foveation_keys(keys);
     add_lighting_keys(keys);
     add_reprojection_keys(keys);

@@ -94,6 +94,16 @@ struct ReplaySettings {
     bool loop = false;   ///< begin again at the recording's end
 };
 
+/// A camera on the headset whose picture a window shows where rays met nothing. Off without one.
+struct SeeThroughSettings {
+    std::string camera;        ///< sim, a node ("/dev/video0") or a USB identifier ("046d:0825")
+    double fov_deg = 60.0;     ///< horizontal
+    double latency_ms = 10.0;  ///< from the middle of an exposure to the kernel's stamp
+    int width_px = 640;        ///< the nearest that it offers is taken
+    int height_px = 480;
+    int rate_hz = 30;
+};
+
 /// Walks measured settings so that frames fit a VSync (rig/governor). Without settings it is off.
 struct GovernorSettings {
     std::string front;      ///< a sweep's pareto.json: its front
@@ -128,6 +138,7 @@ struct Scenario {
     FaultSettings faults;
     GovernorSettings governor;
     RenderSettings render;
+    SeeThroughSettings see_through;
 };
 
 /// The file that the devices are replayed from; empty: they are not.

@@ -34,6 +34,7 @@ Session::Session(const Scenario& scenario, const Scene& scene, Renderer& rendere
       recording_(recording),
       world_(make_world(scenario, clock_.clock(), live)),
       devices_(scenario, *world_, clock_.clock(), recording),
+      see_through_(live == nullptr ? nullptr : SeeThrough::open(scenario, *world_, clock_.clock())),
       flight_(scenario.camera, scene),
       views_(scenario.display),
       pacing_(scenario.display.pacing, world_->display()) {}
@@ -147,9 +148,17 @@ void Session::draw(FrameRecord& frame, HostTime expected_vsync) {
             warp_to_newest(frame, expected_vsync);
             return std::array{poses_[0].world_from_head, poses_[1].world_from_head};
         };
+    if (see_through_) see_through(frame, pictures);
     const DrawTimes times = display.draw(pictures);
     frame.passes.push_back({"window_upload", to_ms(times.upload)});
     frame.passes.push_back({"window_lens", to_ms(times.lens)});
+}
+
+void Session::see_through(FrameRecord& frame, FramePictures& pictures) {
+    const WallClock stopwatch;
+    pictures.behind = see_through_->picture(clock_.now(), devices_.head());
+    frame.see_through = see_through_->instants();
+    frame.passes.push_back({"see_through", to_ms(stopwatch.now().time_since_epoch())});
 }
 
 void Session::warp_to_newest(FrameRecord& frame, HostTime expected_vsync) {
@@ -241,6 +250,7 @@ RunRecord Session::finish(bool interrupted) {
     }
     run.frames = std::move(frames_);
     run.devices = devices_.records();
+    if (see_through_) run.devices.push_back(see_through_->record());
     run.plan = renderer_.plan().effects();
     run.pipeline = scenario_.render.pipeline;
     run.backend = renderer_.backend_name();

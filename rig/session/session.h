@@ -13,6 +13,7 @@
 #include "rig/session/live_parts.h"
 #include "rig/session/pacing.h"
 #include "rig/session/run_clock.h"
+#include "rig/session/see_through.h"
 
 namespace foverig {
 
@@ -52,6 +53,7 @@ class Session {
     void render_frame(FrameRecord& frame, FrameInput& input);
     EyePicture picture_of(int eye) const;
     void draw(FrameRecord& frame, HostTime expected_vsync);
+    void see_through(FrameRecord& frame, FramePictures& pictures);
     void warp_to_newest(FrameRecord& frame, HostTime expected_vsync);
     void present(FrameRecord& frame, HostTime expected_vsync);
     void show(FrameRecord& frame, const Presentation& shown);
@@ -67,6 +69,7 @@ class Session {
     SessionRecording* recording_;
     std::unique_ptr<World> world_;
     DeviceStreams devices_;
+    std::unique_ptr<SeeThrough> see_through_;  // null: none, or no window to show it
     CameraFlight flight_;
     EyeViews views_;
     Pacing pacing_;

@@ -68,6 +68,8 @@ TEST_F(ProgramWindowTest, ShowsARunAndSaysHowSureItsVsyncsAre) {
     EXPECT_TRUE(s["pass_time_ms"].contains("window_upload"));
     EXPECT_FALSE(s["pass_time_ms"].contains("lens_distortion")) << "the window's work";
     EXPECT_EQ(s["scenario"]["clock"], "wall");
+    EXPECT_FALSE(s["pass_time_ms"].contains("see_through")) << "off unless asked for";
+    EXPECT_FALSE(s["devices"].contains("see_through"));
 }
 
 TEST_F(ProgramWindowTest, TheHudIsCountedWhereItIsOn) {
@@ -78,6 +80,19 @@ TEST_F(ProgramWindowTest, TheHudIsCountedWhereItIsOn) {
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(summary()["display"]["hud_frames"], 4);
     EXPECT_TRUE(summary()["latency_ms"]["warp_to_photon"].is_null());
+}
+
+TEST_F(ProgramWindowTest, ACameraSeesThrough) {
+    const test::Xvfb desktop;
+    ASSERT_TRUE(desktop.ready());
+    const Outcome run = windowed_run({"--seconds", "1", "--set", "see_through.camera=sim"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto s = summary();
+    EXPECT_GE(s["devices"]["see_through"]["samples"].get<int>(), 20);
+    EXPECT_EQ(s["devices"]["see_through"]["lost"], 0);
+    // 35 ms from exposure to arrival, up to 33 ms until the next, and a frame.
+    EXPECT_GE(s["latency_ms"]["see_through_to_photon"]["p50"].get<double>(), 35.0);
+    EXPECT_TRUE(s["pass_time_ms"].contains("see_through"));
 }
 
 TEST_F(ProgramWindowTest, TheCursorIsTheGaze) {

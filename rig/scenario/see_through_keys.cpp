@@ -1,0 +1,48 @@
+#include "rig/scenario/see_through_keys.h"
+
+#include "devices/hardware/identity.h"
+#include "rig/scenario/key_makers.h"
+
+namespace foverig {
+namespace {
+
+Key which_camera_key() {
+    Key key = text_key(
+        "see_through.camera", "sim, a node as /dev/video0, a USB identifier as 046d:0825, or empty",
+        "camera on the headset whose picture a window shows where rays met nothing; empty: none",
+        [](auto& s) -> auto& { return s.see_through.camera; });
+    key.set = [expected = key.expected](Scenario& s,
+                                        const KeyValue& v) -> std::optional<std::string> {
+        const auto& text = std::get<std::string>(v);
+        if (!text.empty() && text != "sim" && !text.starts_with("/") && !hardware::usb_id_of(text))
+            return expected;
+        s.see_through.camera = text;
+        return std::nullopt;
+    };
+    return key;
+}
+
+}  // namespace
+
+void add_see_through_keys(std::vector<Key>& keys) {
+    keys.push_back(which_camera_key());
+    keys.push_back(number_key(
+        "see_through.fov_deg", "deg", {1.0, 170.0}, "its horizontal field of view",
+        [](auto& s) -> auto& { return s.see_through.fov_deg; }));
+    keys.push_back(number_key(
+        "see_through.latency_ms", "ms", {0.0, 1000.0},
+        "from the middle of its exposure to the kernel's stamp, which no clock shows",
+        [](auto& s) -> auto& { return s.see_through.latency_ms; }));
+    keys.push_back(integer_key(
+        "see_through.width_px", "px", {16, 16384},
+        "asked of it; the nearest that it offers is taken",
+        [](auto& s) -> auto& { return s.see_through.width_px; }));
+    keys.push_back(integer_key(
+        "see_through.height_px", "px", {16, 16384}, "the same",
+        [](auto& s) -> auto& { return s.see_through.height_px; }));
+    keys.push_back(integer_key(
+        "see_through.rate_hz", "Hz", {1, 1000}, "the same",
+        [](auto& s) -> auto& { return s.see_through.rate_hz; }));
+}
+
+}  // namespace foverig
