@@ -51,6 +51,12 @@ struct FrameRecord {
     std::array<vec3, 2> gaze_direction{vec3(0.0F, 0.0F, -1.0F), vec3(0.0F, 0.0F, -1.0F)};
     std::optional<double> prediction_error_deg;  ///< of the head's pose at the photon; needs truth
     std::optional<double> gaze_error_deg;        ///< of the gaze used, at the photon; needs truth
+    /// Where each eye really looked at its photon, head frame; in a replay: as recorded.
+    std::array<std::optional<vec3>, 2> best_known_gaze;
+    std::optional<double> true_head_speed_deg_s;  ///< at the photon; needs truth
+    /// How long ago the head faced as the frame showed it: the error along the turn over its speed,
+    /// below 0 where prediction went too far; absent where the head hardly turns. Needs truth.
+    std::optional<double> head_lag_ms;
     bool pose_stale = false;  ///< the newest inertial sample is too old to predict from
     bool gaze_held =
         false;  ///< the newest gaze sample had nothing for an eye: its last gaze stands
@@ -71,6 +77,9 @@ struct FrameRecord {
         missed_vsyncs = 0;
         prediction_error_deg.reset();
         gaze_error_deg.reset();
+        best_known_gaze = {};
+        true_head_speed_deg_s.reset();
+        head_lag_ms.reset();
     }
 };
 

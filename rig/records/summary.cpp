@@ -8,6 +8,7 @@
 #include "rig/records/columns.h"
 #include "rig/records/distribution.h"
 #include "rig/records/governor_json.h"
+#include "rig/records/motion_phase.h"
 #include "rig/records/panel_record.h"
 #include "rig/records/steady_times.h"
 #include "rig/records/vsync_count.h"
@@ -107,7 +108,8 @@ json latencies(const std::vector<FrameRecord>& frames) {
         {"motion_to_photon_readback", spread(frames, readback_ms)},
         {"prediction_error_deg",
          spread(frames, [](const FrameRecord& f) { return f.prediction_error_deg; })},
-        {"gaze_error_deg", spread(frames, [](const FrameRecord& f) { return f.gaze_error_deg; })}};
+        {"gaze_error_deg", spread(frames, [](const FrameRecord& f) { return f.gaze_error_deg; })},
+        {"head_lag", spread(frames, [](const FrameRecord& f) { return f.head_lag_ms; })}};
 }
 
 /// Times as in frames.csv, of the host's clock.
@@ -222,6 +224,7 @@ json summary_json(const RunRecord& run, const json& scenario, const BuildInfo& b
     summary["sampled_pixel_ratio"] = sampled_ratio(frames);
     summary["vsync"] = vsync_json(run, count);
     summary["latency_ms"] = latencies(frames);
+    summary["latency_by_phase"] = latency_by_phase_json(frames);
     summary["devices"] = devices_json(run);
     summary["display"] = display_json(run.display);
     summary["recording"] = recording_json(run.recording);

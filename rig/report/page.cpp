@@ -8,6 +8,7 @@
 #include "rig/report/gallery.h"
 #include "rig/report/governor_chart.h"
 #include "rig/report/latency_chain.h"
+#include "rig/report/latency_phases.h"
 #include "rig/report/live_strip.h"
 #include "rig/report/markup.h"
 #include "rig/report/overview.h"
@@ -75,6 +76,8 @@ std::string page(const RunData& run) {
                     "light of the frame that used it, mid-panel. Means add up; only frames that "
                     "were shown count.",
                     latency_chain(run));
+    if (const std::string phases = latency_phases(run); !phases.empty())
+        html += section("Latency by phase of motion", "", phases);
     html += section("The worst frames, link by link",
                     "The longest beyond the warm-up, in milliseconds: from the inertial sample to "
                     "the light, and the pass that lies furthest above what it usually takes.",

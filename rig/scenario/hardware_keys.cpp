@@ -76,6 +76,14 @@ void add_hardware_keys(std::vector<Key>& keys) {
         "tracking.gaze_calibration", "a file that foverig calibrate wrote",
         "calibration that the gaze tracker is given; empty: the one that it has",
         [](auto& s) -> auto& { return s.tracking.gaze_calibration; }));
+    keys.push_back(number_key(
+        "tracking.gaze_added_latency_ms", "ms", {0.0, 1000.0},
+        "frames of the gaze tracker come so much later, simulated, replayed or real",
+        [](auto& s) -> auto& { return s.tracking.gaze_added_latency_ms; }));
+    keys.push_back(number_key(
+        "tracking.gaze_added_noise_deg", "deg", {0.0, 20.0},
+        "standard deviation of noise on top of the gaze tracker's angles, the same way",
+        [](auto& s) -> auto& { return s.tracking.gaze_added_noise_deg; }));
 }
 
 }  // namespace foverig

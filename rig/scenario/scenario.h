@@ -85,7 +85,9 @@ struct HardwareSettings {
 struct TrackingSettings {
     bool camera = false;    ///< the tracker camera holds position and yaw; else the gyro alone
     int gaze_rate_hz = 60;  ///< of the gaze tracker's samples: 60, 120 or 250
-    std::string gaze_calibration;  ///< `foverig calibrate`'s file; empty: the tracker's own
+    std::string gaze_calibration;        ///< `foverig calibrate`'s file; empty: the tracker's own
+    double gaze_added_latency_ms = 0.0;  ///< of whatever gaze tracker there is, recorded or not
+    double gaze_added_noise_deg = 0.0;   ///< standard deviation of each eye's angles
 };
 
 /// Of `devices = "replay:FILE"`.

@@ -20,4 +20,13 @@ inline double angle_deg(const dquat& a, const dquat& b) {
     return degrees(2.0 * std::atan2(glm::length(dvec3(turn.x, turn.y, turn.z)), std::abs(turn.w)));
 }
 
+/// Axis times angle in rad, the short way round.
+inline dvec3 rotation_vector(const dquat& turn) {
+    const dvec3 v(turn.x, turn.y, turn.z);
+    const double sine = glm::length(v);
+    if (sine == 0.0) return dvec3(0.0);
+    const double angle = 2.0 * std::atan2(sine, std::abs(turn.w));
+    return (turn.w < 0.0 ? -angle : angle) / sine * v;
+}
+
 }  // namespace foverig

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "rig/session/calibration_file.h"
+#include "rig/session/panel_settings.h"
 
 namespace foverig {
 namespace {
@@ -13,6 +14,12 @@ template <class Sample>
 std::function<void(const Sample&)> sample_log(SessionRecording* recording) {
     if (recording == nullptr) return {};
     return [recording](const Sample& sample) { recording->sample(sample); };
+}
+
+GazeWorsening worsening_of(const Scenario& scenario) {
+    return {.added_latency = from_seconds(1e-3 * scenario.tracking.gaze_added_latency_ms),
+            .added_noise_deg = scenario.tracking.gaze_added_noise_deg,
+            .seed = seed_of(scenario, SeedStream::worsening)};
 }
 
 }  // namespace
@@ -51,6 +58,8 @@ HeadTracker DeviceStreams::open_head(World& world) {
 GazeTracker DeviceStreams::open_gaze(const Scenario& scenario, World& world) {
     Transport* tracker = &watched("gaze", world.gaze_tracker());
     if (recording_ != nullptr) tracker = &recording_->gaze_tracker(*tracker, clock_);
+    if (const GazeWorsening worsening = worsening_of(scenario); worsening.any())
+        tracker = &worsened_gaze_.emplace(*tracker, clock_, worsening);
     return {*tracker, clock_, sample_log<GazeSample>(recording_), gaze_config(scenario)};
 }
 

@@ -8,13 +8,15 @@
 #include "rig/session/session_recording.h"
 #include "rig/session/watched_transport.h"
 #include "rig/session/world.h"
+#include "simulators/gaze/worsened_gaze.h"
 
 namespace foverig {
 
 class DeviceStreams {
   public:
     /// Opens the devices as `scenario` asks; throws DeviceError where one does not answer.
-    /// `recording` may be null; world, clock and recording outlive this.
+    /// `recording` may be null; world, clock and recording outlive this. A recording holds what the
+    /// gaze tracker sent, not what the scenario made worse of it.
     DeviceStreams(const Scenario& scenario, World& world, Clock& clock,
                   SessionRecording* recording);
 
@@ -42,6 +44,7 @@ class DeviceStreams {
     SessionRecording* recording_;
     Notice notice_;
     std::map<std::string, WatchedTransport> watched_;  // by the devices' names
+    std::optional<WorsenedGaze> worsened_gaze_;
     HeadTracker head_;
     GazeTracker gaze_;
 };

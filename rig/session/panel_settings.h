@@ -5,7 +5,7 @@
 namespace foverig {
 
 // One seed for all, told apart so that the head's noise is not the eyes'.
-enum class SeedStream : std::uint64_t { head = 1, eyes, panel, dk2, gaze, camera };
+enum class SeedStream : std::uint64_t { head = 1, eyes, panel, dk2, gaze, camera, worsening };
 
 inline std::uint64_t seed_of(const Scenario& scenario, SeedStream stream) {
     return (static_cast<std::uint64_t>(stream) << 32U) | scenario.render.seed;

@@ -1,4 +1,5 @@
 #pragma once
+#include "rig/session/recorded_gaze.h"
 #include "rig/session/world.h"
 #include "simulators/panel/virtual_panel.h"
 #include "simulators/replay/replayed_device.h"
@@ -18,12 +19,16 @@ class ReplayedWorld final : public World {
     double initial_yaw_rad() const override { return initial_yaw_rad_; }
     std::optional<dquat> true_head(HostTime) const override { return std::nullopt; }
     std::optional<std::array<dvec3, 2>> true_gaze(HostTime) const override { return std::nullopt; }
+    std::optional<std::array<dvec3, 2>> best_known_gaze(HostTime time) const override {
+        return recorded_gaze_.at(time);
+    }
     bool reads_back_our_frames() const override { return false; }
     bool at_end() const override;
 
   private:
     Recording recording_;
     double initial_yaw_rad_;
+    RecordedGaze recorded_gaze_;
     VirtualPanel panel_;
     ReplayedDevice headset_, gaze_tracker_;
     std::optional<ReplayedDevice> camera_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rig/records/motion_phase.h"
 #include "rig/session/angles.h"
 
 namespace foverig {
@@ -12,6 +13,8 @@ constexpr Nanoseconds kReadbackTail{60'000'000};  // read-backs come one or two 
 /// A DK2 reports each millisecond: so many lost ones are a cable, not chance, and a prediction over
 /// them is a guess.
 constexpr Nanoseconds kPoseLimit{100'000'000};
+
+constexpr Nanoseconds kTurnSpan{2'000'000};  // over which the true head's speed is taken
 
 constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
 
@@ -203,6 +206,9 @@ void Session::show(FrameRecord& frame, const Presentation& shown) {
 }
 
 void Session::judge(FrameRecord& frame, const FrameInput& input) const {
+    for (std::size_t i = 0; i < input.eyes.size(); ++i)
+        if (const auto known = world_->best_known_gaze(*frame.photon_eye[i]))
+            frame.best_known_gaze[i] = vec3((*known)[i]);
     double error_deg = 0.0;
     for (std::size_t i = 0; i < input.eyes.size(); ++i) {
         const auto truth = world_->true_head(*frame.photon_eye[i]);
@@ -210,8 +216,24 @@ void Session::judge(FrameRecord& frame, const FrameInput& input) const {
         error_deg += angle_deg(poses_[i].world_from_head, *truth);
     }
     frame.prediction_error_deg = error_deg / static_cast<double>(input.eyes.size());
+    judge_turn(frame);
     const auto true_gaze = world_->true_gaze(*frame.photon_eye[0]);
     if (true_gaze) frame.gaze_error_deg = angle_deg(dvec3(input.eyes[0].gaze), (*true_gaze)[0]);
+}
+
+/// By the first eye's photon, as the head turns there.
+void Session::judge_turn(FrameRecord& frame) const {
+    const HostTime photon = *frame.photon_eye[0];
+    const auto truth = world_->true_head(photon);
+    const auto before = world_->true_head(photon - kTurnSpan / 2);
+    const auto after = world_->true_head(photon + kTurnSpan / 2);
+    const dvec3 speed_rad_s =
+        rotation_vector(*after * glm::conjugate(*before)) / to_seconds(kTurnSpan);
+    frame.true_head_speed_deg_s = degrees(glm::length(speed_rad_s));
+    if (*frame.true_head_speed_deg_s < kHeadMoves_deg_s) return;
+    const dvec3 error_rad = rotation_vector(poses_[0].world_from_head * glm::conjugate(*truth));
+    frame.head_lag_ms =
+        -1e3 * glm::dot(error_rad, speed_rad_s) / glm::dot(speed_rad_s, speed_rad_s);
 }
 
 void Session::match_readbacks() {

@@ -58,6 +58,7 @@ class Session {
     void present(FrameRecord& frame, HostTime expected_vsync);
     void show(FrameRecord& frame, const Presentation& shown);
     void judge(FrameRecord& frame, const FrameInput& input) const;
+    void judge_turn(FrameRecord& frame) const;
     void match_readbacks();
     double share_done(std::uint64_t frames) const;
     RunRecord finish(bool interrupted);

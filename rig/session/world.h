@@ -27,6 +27,10 @@ class World {
     /// What predictions are judged by; absent where nobody knows.
     virtual std::optional<dquat> true_head(HostTime time) const = 0;
     virtual std::optional<std::array<dvec3, 2>> true_gaze(HostTime time) const = 0;
+    /// The truth or, in a replay, what the recorded tracker said of that instant.
+    virtual std::optional<std::array<dvec3, 2>> best_known_gaze(HostTime time) const {
+        return true_gaze(time);
+    }
 
     /// The headset reads back the frames of this run's display, not those of another run.
     virtual bool reads_back_our_frames() const = 0;

@@ -59,6 +59,8 @@ std::vector<FrameRecord> without_truth(std::vector<FrameRecord> frames) {
     for (FrameRecord& frame : frames) {
         frame.prediction_error_deg.reset();
         frame.gaze_error_deg.reset();
+        frame.true_head_speed_deg_s.reset();
+        frame.head_lag_ms.reset();
         frame.readback_scan_out.reset();
     }
     return frames;
