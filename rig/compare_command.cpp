@@ -26,7 +26,7 @@ ExitCode compare_exactly(const Runs& all, bool json) {
                    *difference);
         if (json)
             fmt::print("{}\n", Json{{"verdict", "different"}, {"difference", *difference}}.dump());
-        return ExitCode::check_failed;
+        return ExitCode::different;
     }
     const std::string digest = compare::digest_of(all.front());
     fmt::print("same: frames.csv and images of all {} runs, byte for byte ({})\n", all.size(),

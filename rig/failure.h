@@ -11,6 +11,7 @@ enum class ExitCode {
     input = 3,         ///< input data: scenes, run folders
     device = 4,
     internal = 5,
+    different = 6,      ///< compare at fixed cost: not the same, which is neither better nor worse
     interrupted = 130,  ///< Ctrl-C before there was anything to keep
 };
 

@@ -183,7 +183,7 @@ ExitCode dispatch(int argc, const char* const* argv) {
     app.require_subcommand(0, 1);
     app.footer(
         "Exit codes: 0 good, 1 a check failed, 2 usage or scenario, 3 input data, 4 device, "
-        "5 internal.");
+        "5 internal, 6 (compare, fixed cost) different.");
     RunOptions run_options, replay_run_options;
     RecordOptions record_options;
     ReplayOptions replay_options;

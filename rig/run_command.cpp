@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "rig/check_keys.h"
 #include "rig/commands.h"
 #include "rig/governor/governed_renderer.h"
 #include "rig/identity/build_info.h"
@@ -124,6 +125,7 @@ ExitCode judged(const std::vector<FailIf>& checks, const nlohmann::json& summary
 
 ExitCode run_command(const RunRequest& request) {
     const Scenario& scenario = request.scenario;
+    refuse_unknown_keys(request.checks, scenario);
     require_devices(scenario);
     const Interrupt interrupt;
     const auto live = LiveWindow::open(scenario);

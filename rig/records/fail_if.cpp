@@ -33,13 +33,15 @@ void collect_numbers(const json& node, const std::string& path, std::vector<std:
     }
 }
 
-/// Names may hold dots themselves (passes), so any prefix of the path may be one name.
+/// Names may hold dots themselves (passes), so any prefix of the path may be one name. What lies
+/// below null is absent, as that is.
 const json* find(const json& node, const std::string& path) {
     if (!node.is_object()) return nullptr;
     if (const auto whole = node.find(path); whole != node.end()) return &*whole;
     for (auto dot = path.find('.'); dot != std::string::npos; dot = path.find('.', dot + 1)) {
         const auto inner = node.find(path.substr(0, dot));
         if (inner == node.end()) continue;
+        if (inner->is_null()) return &*inner;
         if (const json* found = find(*inner, path.substr(dot + 1))) return found;
     }
     return nullptr;

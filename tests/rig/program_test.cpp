@@ -32,6 +32,34 @@ TEST_F(ProgramTest, ExitsWithOneWhereACheckFails) {
     EXPECT_TRUE(fs::exists(root_ / "run/summary.json"));
 }
 
+TEST_F(ProgramTest, RefusesACheckOfAnUnknownKeyBeforeItRuns) {
+    const Outcome run = small_run("run", {"--fail-if", "vsync.mised_ratio > 0.01"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err,
+                HasSubstr("no number vsync.mised_ratio; the nearest is vsync.missed_ratio"));
+    EXPECT_THAT(run.err, testing::Not(HasSubstr("loading")));
+    EXPECT_FALSE(fs::exists(root_ / "run"));
+    EXPECT_EQ(small_run("pass", {"--fail-if", "pass_time_ms.trace_primary.p98 > 1"}).code, 2);
+    EXPECT_FALSE(fs::exists(root_ / "pass"));
+}
+
+TEST_F(ProgramTest, TakesChecksOfEveryNumberThatARunCanHave) {
+    ASSERT_EQ(small_run("run").code, 0);
+    const auto numbers = nlohmann::json::parse(text_of(root_ / "run/summary.json")).flatten();
+    std::vector<std::string> checks;
+    for (const auto& [path, value] : numbers.items()) {
+        std::string key = path.substr(1);
+        std::replace(key.begin(), key.end(), '/', '.');
+        const bool in_list = key.find("p50_ci95") != key.npos || key.starts_with("plan.") ||
+                             key.starts_with("images.");
+        if (!value.is_number() || in_list) continue;
+        checks.insert(checks.end(), {"--fail-if", key + " < -1e300"});
+    }
+    EXPECT_GT(checks.size(), 200U);
+    const Outcome checked = small_run("checked", checks);
+    EXPECT_EQ(checked.code, 0) << checked.err;
+}
+
 TEST_F(ProgramTest, ExitsWithTwoOnWrongUsage) {
     EXPECT_EQ(foverig({"fly"}).code, 2);
     EXPECT_EQ(foverig({"run", "--no-such-option"}).code, 2);

@@ -47,6 +47,12 @@ TEST(FailIf, FailsOnWhatWasNotMeasured) {
                 testing::HasSubstr("absent"));
 }
 
+TEST(FailIf, FailsOnANumberOfWhatWasNotMeasured) {
+    EXPECT_THAT(
+        failure(parse_fail_if("latency_ms.gaze_to_photon.p99 > 50"), summary()).value_or(""),
+        testing::HasSubstr("absent"));
+}
+
 TEST(FailIf, NamesTheNearestKey) {
     try {
         failure(parse_fail_if("vsync.mised_ratio > 0"), summary());
