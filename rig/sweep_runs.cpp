@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "devices/time.h"
+#include "rig/failure.h"
 #include "rig/open_scene.h"
 #include "rig/scenario/write.h"
 #include "rig/sweep/flight.h"
@@ -25,6 +26,23 @@ void add_rays(const RayCounts& rays, double share, std::map<std::string, double>
     add("probe", rays.probe);
     add("vpl", rays.vpl);
     add("total", rays.total());
+}
+
+/// As if its eyes looked where they did. What no frame of a blink says is left as the tracker has
+/// it.
+FrameInput at_truth(const sweep::FlownFrame& flown) {
+    FrameInput input = flown.input;
+    for (std::size_t eye = 0; eye < flown.true_gaze.size(); ++eye)
+        input.eyes[eye].gaze = flown.true_gaze[eye];
+    return input;
+}
+
+void require_truth(const std::vector<sweep::FlownFrame>& flight) {
+    for (const sweep::FlownFrame& frame : flight)
+        if (!frame.true_gaze.empty()) return;
+    throw UsageError(
+        "errors_at = truth: nobody knows where the eyes look; expected a simulated gaze or a "
+        "recording that holds one");
 }
 
 /// Means of the eyes, behind the frames before.
@@ -51,14 +69,15 @@ const SweepRuns::Stage& SweepRuns::stage_of(const Scenario& scenario) {
     std::string key = scenario_json(shown).dump();
     if (key == stage_.key) return stage_;
     auto scene = open_scene(shown);
-    auto flight = sweep::fly(shown, *scene);
+    auto flight = sweep::stretches_of(sweep::fly(shown, *scene), sweep_.stretches);
     stage_ = {std::move(key), std::move(scene), std::move(flight)};
     return stage_;
 }
 
-sweep::ReferenceImages SweepRuns::references_of(const Stage& stage) {
+sweep::ReferenceImages SweepRuns::references_of(const Stage& stage,
+                                                const RenderSettings& reference) {
     Scenario settings;
-    settings.render = sweep_.reference;
+    settings.render = reference;
     settings.render.threads = sweep_.base.render.threads;
     const std::string key = Digest()
                                 .add(program_)
@@ -68,7 +87,7 @@ sweep::ReferenceImages SweepRuns::references_of(const Stage& stage) {
                                 .hex();
     sweep::ReferenceImages references(folder_ / "reference", key);
     if (references.exist()) return references;
-    const auto renderer = open_renderer(stage.scene, sweep_.reference);
+    const auto renderer = open_renderer(stage.scene, reference);
     references.render(*renderer, stage.flight, [&](std::size_t done) {
         hooks_.note(fmt::format("reference: frame {} of {}", done, stage.flight.size()));
         check_stop();
@@ -76,9 +95,19 @@ sweep::ReferenceImages SweepRuns::references_of(const Stage& stage) {
     return references;
 }
 
+bool SweepRuns::is_warm(std::size_t frame) const {
+    const std::size_t each = sweep_.stretches.frames;
+    return (each > 0 ? frame % each : frame) >= sweep_.warm_up_frames;
+}
+
+bool SweepRuns::is_kept(std::size_t frame) const {
+    return frame < sweep_.warm_up_frames || is_warm(frame);
+}
+
 double SweepRuns::warm_frames(const Stage& stage) const {
-    return static_cast<double>(stage.flight.size() -
-                               std::min(stage.flight.size(), sweep_.warm_up_frames));
+    double frames = 0.0;
+    for (std::size_t i = 0; i < stage.flight.size(); ++i) frames += is_warm(i) ? 1.0 : 0.0;
+    return frames;
 }
 
 void SweepRuns::check_stop() const {
@@ -88,7 +117,8 @@ void SweepRuns::check_stop() const {
 sweep::Accuracy SweepRuns::accuracy(std::size_t point) {
     const Scenario& scenario = sweep_.points[point].scenario;
     const Stage& stage = stage_of(scenario);
-    const auto references = references_of(stage);
+    const auto references = references_of(stage, sweep_.reference_of(sweep_.points[point]));
+    if (sweep_.errors_at_truth) require_truth(stage.flight);
     const auto renderer = open_renderer(stage.scene, scenario.render);
     sweep::Accuracy accuracy;
     accuracy.point = point;
@@ -96,9 +126,12 @@ sweep::Accuracy SweepRuns::accuracy(std::size_t point) {
     std::uint64_t all = 0;
     for (std::size_t i = 0; i < stage.flight.size(); ++i) {
         check_stop();
-        const FrameStats stats = renderer->render(stage.flight[i]);
-        add_errors(*renderer, references, stage.flight[i], accuracy.errors);
+        const sweep::FlownFrame& flown = stage.flight[i];
+        const FrameStats stats = renderer->render(flown.input);
         accuracy.nan += stats.numerics.nan;
+        if (!is_kept(i)) continue;
+        add_errors(*renderer, references, sweep_.errors_at_truth ? at_truth(flown) : flown.input,
+                   accuracy.errors);
         if (!is_warm(i)) continue;
         add_rays(stats.rays, 1.0 / warm_frames(stage), accuracy.rays);
         sampled += stats.sampled_pixels;
@@ -121,10 +154,11 @@ sweep::Times SweepRuns::times(std::size_t point, int repetition) {
     for (std::size_t i = 0; i < stage.flight.size(); ++i) {
         check_stop();
         const HostTime begin = stopwatch.now();
-        FrameStats stats = renderer->render(stage.flight[i]);
+        FrameStats stats = renderer->render(stage.flight[i].input);
         if (lens)
             for (PassTime& pass : lens->run(*renderer)) stats.passes.push_back(std::move(pass));
-        times.frame_ms.push_back(to_ms(stopwatch.now() - begin));
+        const double frame_ms = to_ms(stopwatch.now() - begin);
+        if (is_kept(i)) times.frame_ms.push_back(frame_ms);
         if (!is_warm(i)) continue;
         for (const PassTime& pass : stats.passes)
             times.pass_ms[pass.name] += pass.ms / warm_frames(stage);

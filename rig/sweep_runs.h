@@ -36,11 +36,13 @@ class SweepRuns {
     struct Stage {
         std::string key;
         std::shared_ptr<const Scene> scene;
-        std::vector<FrameInput> flight;
+        std::vector<sweep::FlownFrame> flight;
     };
     const Stage& stage_of(const Scenario& scenario);
-    sweep::ReferenceImages references_of(const Stage& stage);
-    bool is_warm(std::size_t frame) const { return frame >= sweep_.warm_up_frames; }
+    sweep::ReferenceImages references_of(const Stage& stage, const RenderSettings& reference);
+    bool is_warm(std::size_t frame) const;
+    /// Of the warm-ups the first is kept, later stretches' are rendered and nothing else.
+    bool is_kept(std::size_t frame) const;
     double warm_frames(const Stage& stage) const;
     void check_stop() const;
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "rig/commands.h"
+#include "rig/failure.h"
 #include "rig/interrupt.h"
 #include "rig/output/run_folder.h"
 #include "rig/require_devices.h"
@@ -103,6 +104,11 @@ std::string tuned_toml(const sweep::Point& best, const Json& tuned) {
 
 ExitCode tune_command(const TuneRequest& request) {
     const sweep::Sweep sweep = sweep::read_sweep(request.file);
+    if (!sweep.cases.empty())
+        throw UsageError(
+            fmt::format("{}: has cases; expected [knobs] to turn, as `foverig sweep` "
+                        "alone takes cases",
+                        request.file.string()));
     require_devices(sweep.base);
     const sweep::GridWalk grid(sweep);
     const double budget_ms = request.budget_ms.value_or(1000.0 / sweep.base.display.rate_hz);

@@ -40,33 +40,47 @@ void add(Digest& digest, const std::vector<T>& values) {
     digest.add({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
 }
 
+std::vector<vec3> known_gaze(const FrameRecord& frame, std::size_t eyes) {
+    std::vector<vec3> gaze;
+    for (std::size_t eye = 0; eye < eyes; ++eye)
+        if (frame.best_known_gaze[eye]) gaze.push_back(*frame.best_known_gaze[eye]);
+    return gaze.size() == eyes ? gaze : std::vector<vec3>{};
+}
+
 }  // namespace
 
-std::vector<FrameInput> fly(const Scenario& scenario, const Scene& scene) {
+std::vector<FlownFrame> fly(const Scenario& scenario, const Scene& scene) {
     Scenario paced = scenario;
     paced.clock = "lockstep";
     paced.cost = fmt::format("fixed:{}", kShareOfVsync * 1000.0 / scenario.display.rate_hz);
     paced.display.pacing = "vsync";
     NoRenderer renderer;
-    std::vector<FrameInput> flight;
+    std::vector<FlownFrame> flight;
     SessionHooks hooks;
-    hooks.frame_done = [&](const FrameRecord&, const FrameInput& input, double) {
-        flight.push_back(input);
+    hooks.frame_done = [&](const FrameRecord& frame, const FrameInput& input, double) {
+        flight.push_back({input, known_gaze(frame, input.eyes.size())});
         return false;
     };
     Session(paced, scene, renderer, nullptr).run(hooks);
     return flight;
 }
 
-std::string digest_of(const std::vector<FrameInput>& flight) {
+std::vector<FlownFrame> stretches_of(std::vector<FlownFrame> flight, const Stretches& stretches) {
+    if (stretches.frames == 0) return flight;
+    std::vector<FlownFrame> shown;
+    for (std::size_t i = 0; i < stretches.count; ++i) {
+        const std::size_t first = i * flight.size() / stretches.count;
+        for (std::size_t k = 0; k < stretches.frames; ++k) shown.push_back(flight.at(first + k));
+    }
+    return shown;
+}
+
+std::string digest_of(const std::vector<FlownFrame>& flight) {
     Digest digest;
-    for (const FrameInput& input : flight) {
+    for (const auto& [input, true_gaze] : flight) {
         add(digest, input.frame);
         add(digest, input.time_s);
-        for (const EyeInput& eye : input.eyes) {
-            add(digest, eye.view);
-            add(digest, eye.gaze);
-        }
+        for (const EyeInput& eye : input.eyes) add(digest, eye.view);
     }
     return digest.hex();
 }

@@ -28,10 +28,23 @@ json knob_names(const Sweep& sweep) {
     return names;
 }
 
-json reference_json(const Sweep& sweep) {
+json reference_json(const Sweep& sweep, const RenderSettings& settings) {
     Scenario reference = sweep.base;
-    reference.render = sweep.reference;
+    reference.render = settings;
     return scenario_json(reference);
+}
+
+/// [{name, note, reference}], and of each point its case's number and its variant's name.
+void add_cases(const Sweep& sweep, json& definition) {
+    definition["cases"] = json::array();
+    for (const Case& one : sweep.cases)
+        definition["cases"].push_back({{"name", one.name},
+                                       {"note", one.note},
+                                       {"reference", reference_json(sweep, one.reference)}});
+    for (const Point& point : sweep.points) {
+        definition["point_cases"].push_back(point.of_case);
+        definition["point_variants"].push_back(point.variant);
+    }
 }
 
 }  // namespace
@@ -43,10 +56,10 @@ json value_json(const KeyValue& value) {
 json definition_json(const Sweep& sweep) {
     json definition = {{"name", sweep.name},
                        {"scenario", scenario_json(sweep.base)},
-                       {"reference", reference_json(sweep)},
+                       {"reference", reference_json(sweep, sweep.reference)},
                        {"knobs", knob_names(sweep)},
                        {"points", points_json(sweep)},
-                       {"default_point", sweep.default_point},
+                       {"default_point", or_null(sweep.default_point)},
                        {"repetitions", sweep.repetitions},
                        {"order", sweep.order == Order::abba ? "abba" : "random"},
                        {"seed", sweep.seed},
@@ -55,6 +68,13 @@ json definition_json(const Sweep& sweep) {
                        {"within", sweep.within},
                        {"fixed_cost", sweep.fixed_cost()}};
     if (sweep.prices) definition["price_points"] = sweep.price_points;
+    if (!sweep.cases.empty()) add_cases(sweep, definition);
+    if (sweep.errors_at_truth) definition["errors_at"] = "truth";
+    if (!sweep.over.empty()) definition["over"] = sweep.over;
+    if (!sweep.paper.is_null()) definition["paper"] = sweep.paper;
+    if (sweep.stretches.frames > 0)
+        definition["stretches"] = {{"count", sweep.stretches.count},
+                                   {"frames", sweep.stretches.frames}};
     return definition;
 }
 

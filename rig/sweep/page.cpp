@@ -4,6 +4,10 @@
 
 #include "rig/report/markup.h"
 #include "rig/report/style.h"
+#include "rig/sweep/knob_charts.h"
+#include "rig/sweep/page_tables.h"
+#include "rig/sweep/paper_chart.h"
+#include "rig/sweep/paper_section.h"
 #include "rig/sweep/plot.h"
 #include "rig/sweep/price_table.h"
 #include "rig/sweep/setting_text.h"
@@ -13,7 +17,6 @@ namespace {
 
 using nlohmann::json;
 using report::escaped;
-using report::number;
 
 constexpr const char* kPlotStyle = R"css(
 .front { fill: none; stroke: var(--s0); stroke-width: 2; }
@@ -23,6 +26,12 @@ constexpr const char* kPlotStyle = R"css(
 i.default-ring { border: 2.5px solid var(--s1); border-radius: 50%; background: none; }
 i.on-front { background: var(--s0); border-radius: 50%; }
 i.behind { background: var(--s9); border-radius: 50%; }
+polyline.line { fill: none; stroke-width: 2; } polyline.s0 { stroke: var(--s0); }
+polyline.s1 { stroke: var(--s1); } polyline.s2 { stroke: var(--s2); }
+polyline.s3 { stroke: var(--s3); } polyline.s4 { stroke: var(--s4); }
+polyline.s5 { stroke: var(--s5); } polyline.s6 { stroke: var(--s6); }
+polyline.s7 { stroke: var(--s7); } polyline.s8 { stroke: var(--s8); }
+polyline.s9 { stroke: var(--s9); }
 tr.chosen td { font-weight: 600; }
 )css";
 
@@ -31,31 +40,6 @@ constexpr const char* kLegend =
     "faster and more accurate</span><span><i class=\"behind\"></i>behind it</span><span><i "
     "class=\"default-ring\"></i>the scenario as it is</span><span>lines: 95 % "
     "intervals</span></div>";
-
-const json& point_at(const json& pareto, const json& number) {
-    return pareto.at("points").at(number.get<std::size_t>());
-}
-
-std::string interval(const json& ci95) {
-    if (ci95.is_null()) return "–";
-    return fmt::format("{} to {}", number(ci95.at(0).get<double>()),
-                       number(ci95.at(1).get<double>()));
-}
-
-std::string percentile(const json& p) {
-    if (p.is_null()) return "–";
-    return p.at("value").is_null() ? "n too small" : number(p.at("value").get<double>());
-}
-
-std::string settings_cell(const json& point) {
-    const std::string text = escaped(setting_text(point.at("settings")));
-    return point.at("default").get<bool>() ? text + " <b>(default)</b>" : text;
-}
-
-std::string memory_cell(const json& point) {
-    const json& bytes = point.at("memory").at("backend_bytes");
-    return report::bytes(bytes.is_null() ? std::nullopt : std::optional(bytes.get<double>()));
-}
 
 std::string definition_of(const std::string& error) {
     if (error == "flip") return "mean of LDR-FLIP (Andersson et al. 2020), 0 to 1";
@@ -74,21 +58,35 @@ std::string definition_of(const std::string& error) {
     return "mean absolute error of display codes, share of full scale";
 }
 
+std::string shown_scenes(const json& sweep) {
+    if (!sweep.contains("cases"))
+        return escaped(sweep.at("scenario").at("scene").get<std::string>());
+    return fmt::format("{} cases", sweep.at("cases").size());
+}
+
+std::string shown_frames(const json& sweep) {
+    const std::string flight = sweep.at("scenario").at("frames").dump();
+    const std::string warm_up = sweep.at("warm_up_frames").dump();
+    if (!sweep.contains("stretches"))
+        return fmt::format("{} frames a run, {} of them warm-up", flight, warm_up);
+    return fmt::format("{} stretches of {} frames, {} of each warm-up, of a flight of {}",
+                       sweep.at("stretches").at("count").dump(),
+                       sweep.at("stretches").at("frames").dump(), warm_up, flight);
+}
+
 std::string head(const json& pareto) {
     const json& sweep = pareto.at("sweep");
-    const json& scenario = sweep.at("scenario");
+    const json& display = sweep.at("scenario").at("display");
     std::string hosts;
     for (const json& host : pareto.at("hosts"))
         hosts += fmt::format("{}{}, {} cores", hosts.empty() ? "" : "; ",
                              escaped(value_text(host.at("cpu"))), host.at("cores").dump());
     return fmt::format(
         "<h1>What accuracy costs in time: {}</h1><p class=\"identity\">{} · {} x {} pixels, {} "
-        "eye(s) · {} frames a run, {} of them warm-up · {} · {} points · foverig {} ({}), {}</p>",
-        escaped(sweep.at("name").get<std::string>()),
-        escaped(scenario.at("scene").get<std::string>()),
-        scenario.at("display").at("eye_width_px").dump(),
-        scenario.at("display").at("eye_height_px").dump(), scenario.at("display").at("eyes").dump(),
-        scenario.at("frames").dump(), sweep.at("warm_up_frames").dump(),
+        "eye(s) · {} · {} · {} points · foverig {} ({}), {}</p>",
+        escaped(sweep.at("name").get<std::string>()), shown_scenes(sweep),
+        display.at("eye_width_px").dump(), display.at("eye_height_px").dump(),
+        display.at("eyes").dump(), shown_frames(sweep),
         pareto.at("modelled").get<bool>()
             ? "times are modelled: fixed cost"
             : sweep.at("repetitions").dump() + " runs a point, interleaved",
@@ -96,106 +94,30 @@ std::string head(const json& pareto) {
         escaped(value_text(pareto.at("build").at("git"))), hosts);
 }
 
-std::string front_table(const json& pareto) {
-    std::vector<std::vector<std::string>> rows;
-    for (const json& place : pareto.at("front")) {
-        const json& next = place.at("to_next");
-        rows.push_back(
-            {place.at("point").dump(), settings_cell(point_at(pareto, place.at("point"))),
-             number(place.at("time_ms").get<double>()), number(place.at("error").get<double>()),
-             next.is_null() ? "–" : number(next.at("ms").get<double>()),
-             next.is_null() ? "–" : number(next.at("error_per_ms").get<double>())});
-    }
-    return report::table({"point", "settings", "ms", "error", "ms to the next", "error per ms"},
-                         rows, {0, 2, 3, 4, 5});
-}
-
-std::string within_table(const json& pareto) {
-    std::vector<std::vector<std::string>> rows;
-    for (const json& wish : pareto.at("cheapest_within")) {
-        const bool found = !wish.at("point").is_null();
-        rows.push_back(
-            {number(wish.at("error").get<double>()),
-             found ? settings_cell(point_at(pareto, wish.at("point"))) : "no setting of this sweep",
-             found ? number(wish.at("time_ms").get<double>()) : "–"});
-    }
-    return rows.empty() ? ""
-                        : report::table({"error at most", "cheapest settings", "ms"}, rows, {0, 2});
-}
-
-std::string time_table(const json& pareto) {
-    std::vector<std::vector<std::string>> rows;
-    for (const json& point : pareto.at("points")) {
-        const json& time = point.at("time_ms");
-        rows.push_back(
-            {point.at("point").dump(), settings_cell(point), number(time.at("value").get<double>()),
-             interval(time.at("ci95")), percentile(time.at("p99")),
-             report::percent(point.at("vsync").at("missed_ratio").get<double>()),
-             report::count(point.at("rays").at("total").get<double>()), memory_cell(point)});
-    }
-    return report::table(
-        {"point", "settings", "ms", "95 %", "p99 ms", "VSyncs missed", "rays a frame", "memory"},
-        rows, {0, 2, 3, 4, 5, 6, 7});
-}
-
-std::string error_table(const json& pareto) {
-    const auto axis = pareto.at("error").get<std::string>();
-    std::vector<std::vector<std::string>> rows;
-    for (const json& point : pareto.at("points")) {
-        const json& errors = point.at("error");
-        const json& error = errors.at(axis);
-        std::vector<std::string> row{
-            point.at("point").dump(), settings_cell(point), number(error.at("mean").get<double>()),
-            interval(error.at("ci95")), number(error.at("max").get<double>())};
-        for (const char* name : {"flip", "absolute", "fovea", "periphery"})
-            row.push_back(number(errors.at(name).at("mean").get<double>()));
-        rows.push_back(std::move(row));
-    }
-    return report::table({"point", "settings", axis, "95 %", "worst frame", "FLIP", "absolute",
-                          "fovea", "periphery"},
-                         rows, {0, 2, 3, 4, 5, 6, 7, 8});
-}
-
-/// Passes of the front's points side by side: where the milliseconds go.
-std::string pass_table(const json& pareto) {
-    std::vector<std::string> heads{"pass, ms a frame"};
-    std::map<std::string, std::vector<std::string>> rows_of;
-    std::vector<std::size_t> numeric;
-    for (const json& place : pareto.at("front")) {
-        heads.push_back("point " + place.at("point").dump());
-        numeric.push_back(heads.size() - 1);
-        const json& passes = point_at(pareto, place.at("point")).at("pass_time_ms");
-        for (const auto& [pass, ms] : passes.items()) {
-            auto& row = rows_of[pass];
-            row.resize(heads.size() - 2, "–");
-            row.push_back(number(ms.get<double>()));
-        }
-    }
-    std::vector<std::vector<std::string>> rows;
-    for (auto& [pass, cells] : rows_of) {
-        cells.resize(heads.size() - 1, "–");
-        cells.insert(cells.begin(), "<code>" + escaped(pass) + "</code>");
-        rows.push_back(cells);
-    }
-    return rows.empty() ? "" : report::table(heads, rows, numeric);
-}
-
 std::string listing(const char* title, const json& value) {
     return fmt::format("<details><summary>{}</summary><pre>{}</pre></details>", title,
                        escaped(value.dump(2)));
 }
 
-}  // namespace
+/// How the error follows from the knobs that the sweep names.
+std::string knob_section(const json& pareto, const std::string& axis) {
+    const std::string charts = knob_charts(pareto);
+    if (charts.empty()) return "";
+    return report::section(
+        "Error over the knobs",
+        fmt::format("Error: {}, mean of the frames beyond the warm-up. {}", definition_of(axis),
+                    pareto.at("sweep").value("errors_at", "tracker") == "truth"
+                        ? "Gaze is where the eyes really looked when the light came (in a replay: "
+                          "where the recorded tracker said), not where this tracker said."
+                        : "Gaze is where the tracker said that the eyes look."),
+        charts);
+}
 
-std::string page(const json& pareto) {
-    const auto axis = pareto.at("error").get<std::string>();
-    std::string html = fmt::format(
-        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\"><title>foverig sweep · {}</title>"
-        "<style>{}{}</style></head><body><main>\n",
-        escaped(pareto.at("sweep").at("name").get<std::string>()), report::kStyle, kPlotStyle);
-    html += head(pareto);
-    html += report::section(
+/// Plot, steps and wishes of a sweep that shows one thing. Where all cost the same there is no
+/// front to show.
+std::string front_sections(const json& pareto, const std::string& axis) {
+    if (pareto.at("modelled").get<bool>() && pareto.at("sweep").contains("over")) return "";
+    std::string html = report::section(
         "Error against time",
         fmt::format(
             "Error: {}, mean of the frames beyond the warm-up; its interval is over blocks of "
@@ -210,6 +132,42 @@ std::string page(const json& pareto) {
                             front_table(pareto));
     if (const std::string table = within_table(pareto); !table.empty())
         html += report::section("The cheapest setting within an error", "", table);
+    return html;
+}
+
+/// The paper's numbers, and a plot of each case that has a choice to offer.
+std::string case_sections(const json& pareto, const std::string& axis) {
+    constexpr std::size_t kFewestToPlot = 3;
+    std::string html = pareto.contains("paper") ? paper_section(pareto) : "";
+    for (const json& one : pareto.at("cases")) {
+        if (one.at("points").size() < kFewestToPlot) continue;
+        json alone = {{"error", pareto.at("error")},
+                      {"budget_ms", pareto.at("budget_ms")},
+                      {"points", json::array()},
+                      {"front", one.at("front")}};
+        for (const json& point : one.at("points"))
+            alone["points"].push_back(pareto.at("points").at(point.get<std::size_t>()));
+        html += report::section(
+            "Error against time: " + escaped(one.at("name").get<std::string>()),
+            fmt::format("Error: {}, against the same scene traced in full.", definition_of(axis)),
+            plot(alone) + kLegend);
+    }
+    return html;
+}
+
+}  // namespace
+
+std::string page(const json& pareto) {
+    const auto axis = pareto.at("error").get<std::string>();
+    std::string html = fmt::format(
+        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "content=\"width=device-width, initial-scale=1\"><title>foverig sweep · {}</title>"
+        "<style>{}{}{}</style></head><body><main>\n",
+        escaped(pareto.at("sweep").at("name").get<std::string>()), report::kStyle, kPlotStyle,
+        kPaperStyle);
+    html += head(pareto);
+    html += knob_section(pareto, axis);
+    html += pareto.contains("cases") ? case_sections(pareto, axis) : front_sections(pareto, axis);
     if (pareto.contains("prices"))
         html += report::section(
             "What each effect costs and what it buys",

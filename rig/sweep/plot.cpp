@@ -36,8 +36,9 @@ std::vector<Mark> marks_of(const json& pareto) {
             {time.at("value").get<double>(), error.at("mean").get<double>(), time.at("ci95"),
              error.at("ci95"), point.at("on_front").get<bool>(), point.at("default").get<bool>(),
              fmt::format("point {}: {}: {:.4g} ms, error {:.4g}", point.at("point").get<int>(),
-                         setting_text(point.at("settings")), time.at("value").get<double>(),
-                         error.at("mean").get<double>())});
+                         point.contains("variant") ? point.at("variant").get<std::string>()
+                                                   : setting_text(point.at("settings")),
+                         time.at("value").get<double>(), error.at("mean").get<double>())});
     }
     return marks;
 }

@@ -55,7 +55,7 @@ std::string left_out_by(const std::string& effect) {
 }  // namespace
 
 void add_price_points(Sweep& sweep, const EffectPlan& plan) {
-    const Settings base = sweep.points.at(sweep.default_point).settings;
+    const Settings base = sweep.points.at(sweep.default_point.value()).settings;
     for (const PlannedEffect& effect : plan.effects()) {
         if (!effect.on) continue;
         Settings settings = base;

@@ -10,9 +10,10 @@
 #include "rig/failure.h"
 #include "rig/scenario/parse.h"
 #include "rig/scenario/toml_value.h"
-#include "rig/scenario/write.h"
 #include "rig/sweep/design.h"
+#include "rig/sweep/read_cases.h"
 #include "rig/sweep/read_knobs.h"
+#include "rig/sweep/read_paper.h"
 #include "rig/sweep/records.h"
 #include "rig/sweep/toml_reader.h"
 
@@ -100,32 +101,63 @@ Scenario read_base(const fs::path& file, const toml::table& root, const TomlRead
     return base;
 }
 
-/// The base's settings but for the pipeline, and what the table says.
-RenderSettings read_reference(const fs::path& file, const toml::table* table,
-                              const Scenario& base) {
-    Scenario reference = base;
-    reference.render.pipeline = "full";
-    if (table == nullptr) return reference.render;
-    apply_table(reference, *table, file);
-    complete_scenario(reference);
-    if (reference.render.pipeline != "full" && reference.render.pipeline != "reference")
-        refuse(file, *table,
-               fmt::format("the reference's pipeline is {}; expected full or reference",
-                           reference.render.pipeline));
-    Scenario rest = reference;
-    rest.render = base.render;
-    if (scenario_toml(rest) != scenario_toml(base))
-        refuse(file, *table, "the reference may differ in keys of the renderer alone");
-    return reference.render;
+/// All of the flight, unless the file asks for stretches of it.
+Stretches read_stretches(const fs::path& file, const TomlReader& reader, const Sweep& sweep) {
+    const std::int64_t frames = sweep.base.frames;
+    const auto warm_up = static_cast<std::int64_t>(sweep.warm_up_frames);
+    const std::int64_t count = reader.integer("stretches", 1, frames, 1);
+    const std::int64_t each = reader.integer("stretch_frames", 1, frames, 0);
+    if (each == 0 && count == 1) return {};
+    if (each <= warm_up || each * count > frames)
+        throw UsageError(fmt::format(
+            "{}: {} stretches of {} frames; expected stretch_frames beyond the warm-up of {} and "
+            "all of them within scenario.frames, {}",
+            file.string(), count, each, warm_up, frames));
+    return {static_cast<std::size_t>(count), static_cast<std::size_t>(each)};
+}
+
+/// Knobs to draw the error over: lists of numbers.
+std::vector<std::string> read_over(const fs::path& file, const toml::table& root,
+                                   const TomlReader& reader, const Sweep& sweep) {
+    std::vector<std::string> over = reader.texts("over");
+    for (const std::string& name : over) {
+        const auto found = std::find_if(sweep.knobs.begin(), sweep.knobs.end(),
+                                        [&](const Knob& knob) { return knob.key->name == name; });
+        const bool numbers =
+            found != sweep.knobs.end() && !found->values.empty() &&
+            (found->key->type == KeyType::number || found->key->type == KeyType::integer);
+        if (!numbers)
+            refuse(file, *root.get("over"),
+                   fmt::format("over names {}; expected a knob with a list of numbers", name));
+    }
+    return over;
+}
+
+void read_points(const fs::path& file, const toml::table& root, const TomlReader& reader,
+                 Sweep& sweep) {
+    if (!root.contains("cases")) {
+        if (root.contains("variants"))
+            refuse(file, *root.get("variants"), "variants are of cases; expected [[cases]]");
+        sweep.knobs = read_knobs(file, reader.table("knobs"));
+        add_points(sweep, read_design(file, reader.table("design"), sweep));
+        return;
+    }
+    for (const char* other : {"knobs", "design", "prices", "within"})
+        if (const toml::node* node = root.get(other))
+            refuse(file, *node,
+                   fmt::format("cases have variants and no {}; expected one or the other", other));
+    read_cases(file, reader, reader.table("reference"), sweep);
 }
 
 }  // namespace
 
 Sweep read_sweep(const fs::path& file) {
     const toml::table root = parsed(file);
-    const TomlReader reader(file, root,
-                            {"base", "scenario", "knobs", "design", "reference", "repetitions",
-                             "order", "seed", "warm_up_frames", "error", "within", "prices"});
+    const TomlReader reader(
+        file, root,
+        {"base", "scenario", "knobs", "design", "reference", "repetitions", "order", "seed",
+         "warm_up_frames", "error", "within", "prices", "cases", "variants", "paper", "stretches",
+         "stretch_frames", "errors_at", "over"});
     Sweep sweep;
     sweep.name = file.stem().string();
     sweep.base = read_base(file, root, reader);
@@ -136,12 +168,15 @@ Sweep read_sweep(const fs::path& file) {
     sweep.warm_up_frames =
         static_cast<std::size_t>(reader.integer("warm_up_frames", 0, 1'000'000, 3));
     sweep.error = reader.choice("error", error_names(), "acuity");
+    sweep.errors_at_truth = reader.choice("errors_at", {"tracker", "truth"}, "tracker") == "truth";
     sweep.within = reader.numbers("within");
     sweep.prices = reader.flag("prices", false);
     sweep.reference = read_reference(file, reader.table("reference"), sweep.base);
-    sweep.knobs = read_knobs(file, reader.table("knobs"));
     check_base(file, sweep);
-    add_points(sweep, read_design(file, reader.table("design"), sweep));
+    sweep.stretches = read_stretches(file, reader, sweep);
+    read_points(file, root, reader, sweep);
+    sweep.over = read_over(file, root, reader, sweep);
+    if (const auto* paper = reader.table("paper")) sweep.paper = read_paper(file, *paper, sweep);
     return sweep;
 }
 

@@ -23,7 +23,7 @@ bool ReferenceImages::exist() const {
     return fs::is_directory(folder_ / key_);
 }
 
-void ReferenceImages::render(Renderer& renderer, const std::vector<FrameInput>& flight,
+void ReferenceImages::render(Renderer& renderer, const std::vector<FlownFrame>& flight,
                              const std::function<void(std::size_t)>& frame_done) const {
     fs::create_directories(folder_);
     std::string draft = (folder_ / (key_ + ".draft-XXXXXX")).string();
@@ -31,9 +31,10 @@ void ReferenceImages::render(Renderer& renderer, const std::vector<FrameInput>& 
         throw std::system_error(errno, std::generic_category(), draft);
     try {
         for (std::size_t i = 0; i < flight.size(); ++i) {
-            renderer.render(flight[i]);
-            for (std::size_t eye = 0; eye < flight[i].eyes.size(); ++eye)
-                write_exr(draft / fs::path(file_name(flight[i], eye)),
+            const FrameInput& input = flight[i].input;
+            renderer.render(input);
+            for (std::size_t eye = 0; eye < input.eyes.size(); ++eye)
+                write_exr(draft / fs::path(file_name(input, eye)),
                           renderer.image(static_cast<int>(eye)));
             frame_done(i + 1);
         }

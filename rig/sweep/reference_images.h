@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/renderer.h"
+#include "rig/sweep/flight.h"
 
 namespace foverig::sweep {
 
@@ -19,7 +20,7 @@ class ReferenceImages {
     bool exist() const;
     /// Renders them into a folder of its own first, so that they are there in whole or not at all.
     /// `frame_done` is told how many are.
-    void render(Renderer& renderer, const std::vector<FrameInput>& flight,
+    void render(Renderer& renderer, const std::vector<FlownFrame>& flight,
                 const std::function<void(std::size_t)>& frame_done) const;
     /// As files keep them (half floats). Throws InputError where one cannot be read.
     Image image(const FrameInput& input, std::size_t eye) const;

@@ -2,6 +2,7 @@
 
 #include "rig/scenario/cost.h"
 #include "rig/sweep/front.h"
+#include "rig/sweep/paper_result.h"
 #include "rig/sweep/point_result.h"
 #include "rig/sweep/prices.h"
 
@@ -71,10 +72,10 @@ PointResult result_of(const Measured& measured, std::size_t point) {
 
 Json point_json(const Measured& measured, std::size_t point, const PointResult& result) {
     const Accuracy& accuracy = measured.accuracies.at(point);
-    return {
+    Json json = {
         {"point", point},
         {"settings", measured.definition.at("points").at(point)},
-        {"default", point == measured.definition.at("default_point").get<std::size_t>()},
+        {"default", measured.definition.at("default_point") == point},
         {"on_front", false},
         {"time_ms", to_json(result.times)},
         {"error", to_json(result.errors)},
@@ -85,6 +86,12 @@ Json point_json(const Measured& measured, std::size_t point, const PointResult& 
         {"memory",
          {{"backend_bytes", accuracy.backend_bytes ? Json(*accuracy.backend_bytes) : nullptr}}},
         {"numerics", {{"nan", accuracy.nan}}}};
+    if (measured.definition.contains("cases")) {
+        const auto of_case = measured.definition.at("point_cases").at(point).get<std::size_t>();
+        json["case"] = measured.definition.at("cases").at(of_case).at("name");
+        json["variant"] = measured.definition.at("point_variants").at(point);
+    }
+    return json;
 }
 
 Json front_json(const std::vector<Place>& places, const std::vector<std::size_t>& front) {
@@ -117,6 +124,30 @@ Json within_json(const std::vector<Place>& places, const std::vector<std::size_t
     return json;
 }
 
+/// A front of each case: settings of two scenes are no choice between each other.
+Json cases_json(const nlohmann::json& definition, const std::vector<Place>& places, Json& points) {
+    Json cases = Json::array();
+    for (std::size_t i = 0; i < definition.at("cases").size(); ++i) {
+        std::vector<std::size_t> numbers;
+        std::vector<Place> of_case;
+        for (std::size_t point = 0; point < places.size(); ++point)
+            if (definition.at("point_cases").at(point) == i) {
+                numbers.push_back(point);
+                of_case.push_back(places[point]);
+            }
+        const std::vector<std::size_t> front = front_of(of_case);
+        Json steps = front_json(of_case, front);
+        for (Json& step : steps) step["point"] = numbers[step["point"].get<std::size_t>()];
+        for (const std::size_t place : front) points[numbers[place]]["on_front"] = true;
+        const auto& one = definition.at("cases").at(i);
+        cases.push_back({{"name", one.at("name")},
+                         {"note", one.at("note")},
+                         {"points", numbers},
+                         {"front", std::move(steps)}});
+    }
+    return cases;
+}
+
 }  // namespace
 
 Json pareto_json(const Measured& measured) {
@@ -129,7 +160,11 @@ Json pareto_json(const Measured& measured) {
         places.push_back({result.times.ms.value, result.errors.at(axis).mean.value});
         points.push_back(point_json(measured, point, result));
     }
-    const std::vector<std::size_t> front = front_of(places);
+    const bool one_case = !definition.contains("cases");
+    const std::vector<std::size_t> front = one_case ? front_of(places) : std::vector<std::size_t>{};
+    Json cases = one_case ? Json(nullptr) : cases_json(definition, places, points);
+    const Json paper =
+        definition.contains("paper") ? paper_json(definition, points) : Json(nullptr);
     for (const std::size_t point : front) points[point]["on_front"] = true;
     Json hosts = Json::array();
     for (const auto& host : measured.hosts) hosts.push_back(Json(host));
@@ -143,6 +178,8 @@ Json pareto_json(const Measured& measured) {
                    {"points", std::move(points)},
                    {"front", front_json(places, front)},
                    {"cheapest_within", within_json(places, front, definition.at("within"))}};
+    if (!one_case) pareto["cases"] = std::move(cases);
+    if (!paper.is_null()) pareto["paper"] = paper;
     if (definition.contains("price_points")) pareto["prices"] = prices_json(measured);
     return pareto;
 }

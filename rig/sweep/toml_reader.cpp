@@ -71,12 +71,59 @@ std::vector<double> TomlReader::numbers(const char* name) const {
     return std::get<std::vector<double>>(*value);
 }
 
+std::string TomlReader::text(const char* name, const std::string& otherwise) const {
+    const toml::node* node = table_.get(name);
+    if (node == nullptr) return otherwise;
+    if (!node->is_string())
+        refuse(file_, *node, fmt::format("{} is {}; expected text", name, described(*node)));
+    return node->as_string()->get();
+}
+
+std::vector<std::string> TomlReader::texts(const char* name) const {
+    const toml::node* node = table_.get(name);
+    if (node == nullptr) return {};
+    const auto* array = node->as_array();
+    if (array == nullptr)
+        refuse(file_, *node, fmt::format("{} is {}; expected texts", name, described(*node)));
+    std::vector<std::string> all;
+    for (const toml::node& element : *array) {
+        if (!element.is_string())
+            refuse(file_, element,
+                   fmt::format("{} holds {}; expected texts", name, described(element)));
+        all.push_back(element.as_string()->get());
+    }
+    return all;
+}
+
+std::optional<double> TomlReader::number(const char* name) const {
+    const toml::node* node = table_.get(name);
+    if (node == nullptr) return std::nullopt;
+    const auto value = value_from_toml(*node, KeyType::number);
+    if (!value || !(std::get<double>(*value) >= 0.0))
+        refuse(file_, *node,
+               fmt::format("{} is {}; expected a number of at least 0", name, described(*node)));
+    return std::get<double>(*value);
+}
+
 const toml::table* TomlReader::table(const char* name) const {
     const toml::node* node = table_.get(name);
     if (node == nullptr) return nullptr;
     if (!node->is_table())
         refuse(file_, *node, fmt::format("{} is {}; expected a table", name, described(*node)));
     return node->as_table();
+}
+
+std::vector<const toml::table*> TomlReader::tables(const char* name) const {
+    const toml::node* node = table_.get(name);
+    if (node == nullptr) return {};
+    const auto* array = node->as_array();
+    std::vector<const toml::table*> all;
+    if (array != nullptr)
+        for (const toml::node& element : *array) all.push_back(element.as_table());
+    if (all.empty() || std::find(all.begin(), all.end(), nullptr) != all.end())
+        refuse(file_, *node,
+               fmt::format("{} is {}; expected [[{}]] tables", name, described(*node), name));
+    return all;
 }
 
 }  // namespace foverig::sweep

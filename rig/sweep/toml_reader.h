@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,16 @@ class TomlReader {
     std::string choice(const char* name, const std::vector<std::string>& choices,
                        const std::string& otherwise) const;
     bool flag(const char* name, bool otherwise) const;
+    std::string text(const char* name, const std::string& otherwise) const;
+    std::vector<std::string> texts(const char* name) const;
+    /// Of at least 0; no value where it is not there.
+    std::optional<double> number(const char* name) const;
     /// Empty where it is not there.
     std::vector<double> numbers(const char* name) const;
     /// Nullptr where it is not there.
     const toml::table* table(const char* name) const;
+    /// Of an array of tables; empty where it is not there.
+    std::vector<const toml::table*> tables(const char* name) const;
 
   private:
     const std::filesystem::path& file_;

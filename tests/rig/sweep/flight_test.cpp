@@ -27,9 +27,10 @@ TEST(Flight, IsOneFrameAVsyncOfAMovingHead) {
     const auto flight = fly(small_scenario(), make_builtin_scene("cornell", 0.2));
     ASSERT_EQ(flight.size(), 6U);
     for (std::size_t i = 1; i < flight.size(); ++i) {
-        EXPECT_NEAR(flight[i].time_s - flight[i - 1].time_s, 1.0 / 75.0, 1e-6);
-        EXPECT_EQ(flight[i].eyes.size(), 2U);
-        EXPECT_NE(flight[i].eyes[0].view.world_from_eye, flight[i - 1].eyes[0].view.world_from_eye);
+        EXPECT_NEAR(flight[i].input.time_s - flight[i - 1].input.time_s, 1.0 / 75.0, 1e-6);
+        EXPECT_EQ(flight[i].input.eyes.size(), 2U);
+        EXPECT_NE(flight[i].input.eyes[0].view.world_from_eye,
+                  flight[i - 1].input.eyes[0].view.world_from_eye);
     }
 }
 
@@ -40,7 +41,9 @@ TEST(Flight, DependsOnWhatThereIsToSeeAndNotOnHowItIsRendered) {
     EXPECT_EQ(digest_with([](Scenario& s) { s.cost = "fixed:200"; }), base);
     EXPECT_NE(digest_with([](Scenario& s) { s.render.seed = 2; }), base) << "the motion's seed";
     EXPECT_NE(digest_with([](Scenario& s) { s.display.eye_width_px = 65; }), base);
-    EXPECT_NE(digest_with([](Scenario& s) { s.motion.gaze = "still"; }), base);
+    EXPECT_NE(digest_with([](Scenario& s) { s.motion.head = "still"; }), base);
+    EXPECT_EQ(digest_with([](Scenario& s) { s.motion.gaze = "still"; }), base)
+        << "a reference traces every pixel";
 }
 
 TEST(SceneDigest, KnowsEveryArray) {

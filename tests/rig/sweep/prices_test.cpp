@@ -82,6 +82,7 @@ TEST(Prices, StandBehindTheDesignAndOffItsFront) {
 TEST(PricePoints, AreTheEffectsThatAreOnAndCanBeLeftOut) {
     Sweep sweep;
     sweep.points.push_back({{{"foveation.p_min", 0.05}}, sweep.base});
+    sweep.default_point = 0;
     const EffectPlan plan(make_builtin_scene("cornell", 0.2), sweep.base.render);
     add_price_points(sweep, plan);
     ASSERT_EQ(sweep.price_points.size() + 1, sweep.points.size());

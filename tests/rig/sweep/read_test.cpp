@@ -44,7 +44,7 @@ TEST_F(ReadSweep, TakesEveryCombinationAndMarksTheDefault) {
         "foveation.p_min = [0.05, 0.2]\n");
     EXPECT_EQ(sweep.name, "my");
     ASSERT_EQ(sweep.points.size(), 4U);
-    EXPECT_EQ(text_of(sweep.points[sweep.default_point].settings),
+    EXPECT_EQ(text_of(sweep.points[sweep.default_point.value()].settings),
               "lighting.area_samples = 8, foveation.p_min = 0.05");
     EXPECT_EQ(sweep.points[1].scenario.render.foveation.p_min, 0.2);
     EXPECT_EQ(sweep.points[1].scenario.render.lighting.area_samples, 1);

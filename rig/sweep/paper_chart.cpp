@@ -1,0 +1,185 @@
+#include "rig/sweep/paper_chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "rig/report/svg.h"
+
+namespace foverig::sweep {
+namespace {
+
+using nlohmann::json;
+using report::Point;
+using report::Scale;
+using report::Svg;
+
+constexpr double kWidth = 1000.0, kHeight = 560.0;
+constexpr double kLeft = 60.0, kRight = 984.0;
+constexpr double kTop = 34.0, kPanel = 200.0, kGap = 46.0;  // two panels, one above the other
+constexpr double kBeside = 7.0;  // theirs stand so far left of the middle, ours right
+constexpr double kCap = 4.0;     // half the end of an interval's line
+constexpr double kMark = 4.5;
+constexpr double kLine = 15.0;  // of text
+
+/// A place on the horizontal axis; those of a case stand together.
+struct Place {
+    const json* row;
+    double x;
+    bool first_of_case;
+};
+
+std::vector<Place> places_of(const json& paper) {
+    std::vector<const json*> shown;
+    for (const json& row : paper.at("rows"))
+        if (row.at("variant") != paper.at("baseline")) shown.push_back(&row);
+    std::vector<Place> places;
+    const double step =
+        (kRight - kLeft) / static_cast<double>(std::max<std::size_t>(1, shown.size()));
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        places.push_back({shown[i], kLeft + (static_cast<double>(i) + 0.5) * step,
+                          i == 0 || shown[i]->at("case") != shown[i - 1]->at("case")});
+    return places;
+}
+
+double high_of(const json& ratio) {
+    double high = 1.0;
+    for (const char* key : {"theirs", "ours"})
+        if (ratio.at(key).is_number()) high = std::max(high, ratio.at(key).get<double>());
+    if (ratio.contains("ci95") && ratio.at("ci95").is_array() && ratio.at("ours").is_number())
+        high = std::max(high, std::min(ratio.at("ci95").at(1).get<double>(),
+                                       1.5 * ratio.at("ours").get<double>()));
+    return high;
+}
+
+void draw_interval(Svg& svg, double x, const Scale& y, double low, double high, const char* style) {
+    const double bottom = y(std::max(0.0, low));
+    const double top = y(std::min(y.high, high));
+    svg.line({x, bottom}, {x, top}, style);
+    svg.line({x - kCap, bottom}, {x + kCap, bottom}, style);
+    svg.line({x - kCap, top}, {x + kCap, top}, style);
+}
+
+/// Of a speed-up: what the reading of the two plots leaves open.
+double reading_error(const json& row, const json& paper) {
+    double relative = 0.0;
+    for (const json& other : paper.at("rows")) {
+        if (other.at("case") != row.at("case")) continue;
+        if (other.at("variant") != row.at("variant") && other.at("variant") != paper.at("baseline"))
+            continue;
+        const json& theirs = other.at("theirs");
+        if (theirs.is_object() && theirs.at("ms_error").is_number())
+            relative += theirs.at("ms_error").get<double>() / theirs.at("ms").get<double>();
+    }
+    return relative;
+}
+
+void draw_marks(Svg& svg, const json& paper, const Place& place, const Scale& y, const char* of) {
+    const json& ratio = place.row->at(of);
+    const std::string name = fmt::format("{}, {}: {}", place.row->at("case").get<std::string>(),
+                                         place.row->at("variant").get<std::string>(), of);
+    if (ratio.at("theirs").is_number()) {
+        const double theirs = ratio.at("theirs").get<double>();
+        const double error = of == std::string("speed_up") ? reading_error(*place.row, paper) : 0.0;
+        if (error > 0.0)
+            draw_interval(svg, place.x - kBeside, y, theirs * (1.0 - error), theirs * (1.0 + error),
+                          "theirs-line");
+        svg.rect({place.x - kBeside - kMark, y(theirs) - kMark}, 2 * kMark, 2 * kMark, "theirs",
+                 fmt::format("{} {:.3g} in the paper", name, theirs));
+    }
+    if (!ratio.at("ours").is_number()) return;
+    const double ours = ratio.at("ours").get<double>();
+    if (ratio.contains("ci95") && ratio.at("ci95").is_array())
+        draw_interval(svg, place.x + kBeside, y, ratio.at("ci95").at(0).get<double>(),
+                      ratio.at("ci95").at(1).get<double>(), "ours-line");
+    svg.circle({place.x + kBeside, y(ours)}, kMark + 0.5, "ours",
+               fmt::format("{} {:.3g} here", name, ours));
+}
+
+/// Joins the variants of each case, theirs and ours.
+void draw_lines(Svg& svg, const std::vector<Place>& places, const Scale& y, const char* of) {
+    for (const auto& [key, style, beside] : {std::tuple{"theirs", "theirs-line", -kBeside},
+                                             std::tuple{"ours", "ours-line", kBeside}}) {
+        std::vector<Point> line;
+        for (std::size_t i = 0; i <= places.size(); ++i) {
+            const bool ends = i == places.size() || places[i].first_of_case;
+            if (ends && line.size() > 1) svg.polyline(line, style);
+            if (ends) line.clear();
+            if (i == places.size()) break;
+            const json& value = places[i].row->at(of).at(key);
+            if (value.is_number()) line.push_back({places[i].x + beside, y(value.get<double>())});
+        }
+    }
+}
+
+void draw_panel(Svg& svg, const json& paper, const std::vector<Place>& places, double top,
+                const char* of, const std::string& title) {
+    double high = 1.0;
+    for (const Place& place : places) high = std::max(high, high_of(place.row->at(of)));
+    const Scale y{0.0, 1.08 * high, top + kPanel, top};
+    for (const double tick : report::ticks(y.high, 6)) {
+        svg.line({kLeft, y(tick)}, {kRight, y(tick)}, "grid");
+        svg.text({kLeft - 8, y(tick) + 4}, fmt::format("{:g}", tick), "axis", "end");
+    }
+    svg.text({kLeft, top - 10}, title, "axis-strong");
+    for (const Place& place : places)
+        if (place.first_of_case && &place != &places.front()) {
+            const double half_step = (places[1].x - places[0].x) / 2.0;
+            svg.line({place.x - half_step, top}, {place.x - half_step, top + kPanel}, "grid");
+        }
+    draw_lines(svg, places, y, of);
+    for (const Place& place : places) draw_marks(svg, paper, place, y, of);
+}
+
+/// Variants below their places where a case has several; the case's name, a line for each of its
+/// parts, below them.
+void draw_names(Svg& svg, const std::vector<Place>& places) {
+    const double first_line = kTop + 2 * kPanel + kGap + 18.0;
+    for (std::size_t i = 0; i < places.size();) {
+        std::size_t end = i + 1;
+        while (end < places.size() && !places[end].first_of_case) ++end;
+        const bool several = end - i > 1;
+        for (std::size_t k = i; several && k < end; ++k)
+            svg.text({places[k].x, first_line}, places[k].row->at("variant").get<std::string>(),
+                     "axis", "middle");
+        std::string name = places[i].row->at("case").get<std::string>();
+        double line = first_line + (several ? 1.3 * kLine : 0.0);
+        for (bool more = true; more; line += kLine) {
+            const auto comma = several ? std::string::npos : name.find(", ");
+            more = comma != std::string::npos;
+            svg.text({(places[i].x + places[end - 1].x) / 2.0, line}, name.substr(0, comma),
+                     line == first_line || several ? "axis-strong" : "axis", "middle");
+            if (more) name = name.substr(comma + 2);
+        }
+        i = end;
+    }
+}
+
+}  // namespace
+
+const char* const kPaperStyle = R"css(
+.theirs { fill: var(--paper); stroke: var(--s1); stroke-width: 2; }
+.theirs-line { fill: none; stroke: var(--s1); stroke-width: 1.5; stroke-dasharray: 5 3; }
+.ours { fill: var(--s0); } .ours-line { fill: none; stroke: var(--s0); stroke-width: 1.5; }
+i.theirs { background: none; border: 2px solid var(--s1); }
+i.ours { background: var(--s0); border-radius: 50%; }
+)css";
+
+std::string paper_legend() {
+    return "<div class=\"legend\"><span><i class=\"theirs\"></i>the paper</span><span><i "
+           "class=\"ours\"></i>here, with the 95 % interval of the runs</span></div>";
+}
+
+std::string paper_chart(const json& paper) {
+    const std::vector<Place> places = places_of(paper);
+    const auto baseline = paper.at("baseline").get<std::string>();
+    Svg svg(kWidth, kHeight, "speed-up and ray cut, the paper's beside ours");
+    draw_panel(svg, paper, places, kTop, "speed_up",
+               fmt::format("speed-up: time of {} / time", baseline));
+    draw_panel(svg, paper, places, kTop + kPanel + kGap, "ray_cut",
+               fmt::format("ray cut: rays of {} / rays", baseline));
+    draw_names(svg, places);
+    return svg.str();
+}
+
+}  // namespace foverig::sweep
