@@ -11,6 +11,7 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <numbers>
 
 #include "bench/statistics.h"
 #include "bench/suites.h"
@@ -20,6 +21,7 @@
 #include "metrics/flicker.h"
 #include "metrics/flip.h"
 #include "metrics/flip_hdr.h"
+#include "metrics/fovvideovdp.h"
 #include "metrics/pixel_errors.h"
 #include "metrics/pooling.h"
 #include "metrics/ssim.h"
@@ -48,6 +50,21 @@ Image picture(float error) {
     return image;
 }
 
+/// The screen that a row of FovVideoVDP was computed for.
+ScreenLight light_of(const nlohmann::json& row) {
+    if (row.at("display") != "standard_4k") return {};
+    return {200.0, 0.2 + 250.0 / std::numbers::pi * 0.005};  // 250 lux, of which 0.5 % come back
+}
+
+/// A still, seen as its row says.
+double jod_of(const nlohmann::json& row, const Image& r, const Image& t) {
+    const auto at = row.value("fixation", std::vector<double>{0.0, 0.0});
+    FovVideoVdp vdp(light_of(row), std::nullopt);
+    vdp.add(r, t, gazed_screen(r.width_px, r.height_px, row.at("ppd"), at[0], at[1]),
+            row.at("foveated"));
+    return vdp.jod();
+}
+
 /// How many rows were found right; throws with the first that is not.
 int prove_rows(const fs::path& folder) {
     const auto json = nlohmann::json::parse(std::ifstream(folder / "expected.json"));
@@ -74,6 +91,9 @@ int prove_rows(const fs::path& folder) {
             expect(row, pool(flip_hdr(r, t, ppd, ToneMapper::aces, range)).mean, "mean", 2.0e-4);
         }
     }
+    for (const auto& row : json.at("fvvdp"))
+        if (row.at("metric") == "fvvdp" && row.contains("ppd"))
+            expect(row, jod_of(row, image(row, "ref"), image(row, "test")), "jod", 5.0e-3);
     for (const auto& row : json.at("basic")) {
         const Image r = image(row, "ref");
         const Image t = image(row, "test");
@@ -129,6 +149,19 @@ std::vector<Metric> timed_metrics() {
              change.add(a, b);
              change.add(b, a);
              benchmark::DoNotOptimize(change.change());
+         }},
+        {"fvvdp/foveated/still",
+         [view](const Image& a, const Image& b) {
+             FovVideoVdp vdp({}, std::nullopt);
+             vdp.add(a, b, view, true);
+             benchmark::DoNotOptimize(vdp.jod());
+         }},
+        {"fvvdp/foveated/frames:2",
+         [view](const Image& a, const Image& b) {
+             FovVideoVdp vdp({}, 75.0);
+             vdp.add(a, b, view, true);
+             vdp.add(b, a, view, true);
+             benchmark::DoNotOptimize(vdp.jod());
          }},
         {"flicker/frames:2",
          [](const Image& a, const Image& b) {
