@@ -61,7 +61,8 @@ int run(int argc, char** argv) {
     register_metrics(bench);
     register_kernels();
     register_devices();
-    register_hour();
+    register_camera();
+    register_hour(bench);
     register_transport(bench);
     register_vsync(bench);
     register_rig_latency(bench);

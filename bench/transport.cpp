@@ -1,12 +1,17 @@
 // Issue 4, bar 5: from a read() that returns to the sample in the hands of whoever asked, through
-// the reader thread, the queue, decoder and clock map of a headset on the desk.
+// the reader thread, the queue, decoder and clock map of a headset on the desk. Beside it what a
+// bare semaphore takes between two threads, which is the machine's part, and what one call takes
+// when packets wait already, which is ours.
 #include <benchmark/benchmark.h>
 #include <poll.h>
+#include <pthread.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
+#include <semaphore>
 #include <thread>
 
 #include "bench/suites.h"
@@ -86,51 +91,142 @@ void send_reports(int fd, const std::stop_token& stop) {
     }
 }
 
-void run(benchmark::State& state, Bench& bench) {
-    for (auto unused : state) {
+/// Both ends, and what sends.
+class Feed {
+  public:
+    static std::optional<Feed> begin() {
         int pair[2];
-        if (socketpair(AF_UNIX, SOCK_SEQPACKET, 0, pair) != 0)
-            return state.SkipWithError("no socket pair");
-        const Socket ours(pair[0]);
-        const Socket theirs(pair[1]);
-        const WallClock clock;
-        ReadTimes times(std::size_t{1} << 16U);
-        auto transport = hardware::LiveTransport::open(
-            clock,
-            [&]() -> Result<std::unique_ptr<hardware::Link>> {
-                return std::unique_ptr<hardware::Link>(
-                    std::make_unique<SocketLink>(ours.fd(), clock, times));
-            },
-            {});
-        if (!transport) return state.SkipWithError(transport.error().text.c_str());
-        auto opened = dk2::Dk2ImuSource::open(**transport, clock.now());
-        if (!opened) return state.SkipWithError(opened.error().text.c_str());
-        auto source = std::move(opened).value();
-        const std::jthread sender(
-            [fd = theirs.fd()](const std::stop_token& stop) { send_reports(fd, stop); });
-        std::vector<double> us;
-        const HostTime end = clock.now() + Nanoseconds(std::int64_t{60'000'000'000});
-        int count = 0;
-        while (count < kWarmUp + kReports && clock.now() < end) {
-            const auto next = source.next(clock.now() + Nanoseconds(20'000'000));
-            const HostTime now = clock.now();
+        if (socketpair(AF_UNIX, SOCK_SEQPACKET, 0, pair) != 0) return std::nullopt;
+        return Feed(pair[0], pair[1]);
+    }
+    int fd() const { return ours_->fd(); }
+    void start() {
+        sender_ = std::jthread(
+            [fd = theirs_->fd()](const std::stop_token& stop) { send_reports(fd, stop); });
+    }
+
+  private:
+    Feed(int ours, int theirs)
+        : ours_(std::make_unique<Socket>(ours)), theirs_(std::make_unique<Socket>(theirs)) {}
+
+    std::unique_ptr<Socket> ours_, theirs_;
+    std::jthread sender_;  // last: stops first
+};
+
+constexpr Nanoseconds kLongest{60'000'000'000};
+
+/// Of each sample after the warm-up. A way returns nothing where it failed.
+using Durations_us = std::optional<std::vector<double>>;
+
+bool is_what_was_sent(const ImuSample& sample) {
+    return glm::distance(sample.accel_m_s2, dvec3(0.0, 9.8, 0.0)) < 1e-6;
+}
+
+struct Desk {
+    Feed& feed;
+    const WallClock clock{};
+    ReadTimes times = ReadTimes(std::size_t{1} << 16U);
+    std::unique_ptr<hardware::LiveTransport> transport =
+        std::move(hardware::LiveTransport::open(
+                      clock,
+                      [this]() -> Result<std::unique_ptr<hardware::Link>> {
+                          return std::unique_ptr<hardware::Link>(
+                              std::make_unique<SocketLink>(feed.fd(), clock, times));
+                      },
+                      {}))
+            .value();
+    dk2::Dk2ImuSource source = dk2::Dk2ImuSource::open(*transport, clock.now()).value();
+};
+
+/// Whoever asks waits for each sample.
+Durations_us waited_for(Feed& feed) {
+    Desk desk{feed};
+    feed.start();
+    std::vector<double> us;
+    for (int count = 0; count < kWarmUp + kReports && desk.clock.now() < HostTime(kLongest);) {
+        const auto next = desk.source.next(desk.clock.now() + Nanoseconds(20'000'000));
+        const HostTime now = desk.clock.now();
+        const auto* const sample = std::get_if<ImuSample>(&next);
+        if (sample == nullptr) continue;
+        if (!is_what_was_sent(*sample)) return std::nullopt;
+        if (++count <= kWarmUp) continue;
+        const auto index = static_cast<std::size_t>(count) % desk.times.size();
+        const HostTime read{Nanoseconds(desk.times[index].load())};
+        us.push_back(1e3 * to_ms(now - read));
+    }
+    if (desk.source.counts().lost > 0) return std::nullopt;
+    return us;
+}
+
+/// Whoever asks comes by 75 times a second, as frames do, and takes what is there.
+Durations_us taken(Feed& feed) {
+    Desk desk{feed};
+    feed.start();
+    std::vector<double> us;
+    for (int count = 0; count < kWarmUp + kReports && desk.clock.now() < HostTime(kLongest);) {
+        std::this_thread::sleep_for(std::chrono::microseconds(13'333));
+        const HostTime frame = desk.clock.now();
+        while (true) {
+            const HostTime asked = desk.clock.now();
+            const auto next = desk.source.next(frame);
+            const HostTime got = desk.clock.now();
             const auto* const sample = std::get_if<ImuSample>(&next);
-            if (sample == nullptr) continue;
-            if (sample->accel_m_s2 != dvec3(0.0, 9.8, 0.0) &&
-                glm::distance(sample->accel_m_s2, dvec3(0.0, 9.8, 0.0)) > 1e-6)
-                return state.SkipWithError("the sample is not what was sent");
-            ++count;
-            if (count <= kWarmUp) continue;
-            const std::int64_t read = times[static_cast<std::size_t>(count) % times.size()].load();
-            us.push_back(static_cast<double>(now.time_since_epoch().count() - read) * 1e-3);
+            if (sample == nullptr) break;
+            if (!is_what_was_sent(*sample)) return std::nullopt;
+            if (++count > kWarmUp) us.push_back(1e3 * to_ms(got - asked));
         }
-        if (source.counts().lost > 0 || us.size() != kReports)
-            return state.SkipWithError("reports were lost on the way");
+    }
+    if (desk.source.counts().lost > 0) return std::nullopt;
+    us.resize(std::min<std::size_t>(us.size(), kReports));
+    return us;
+}
+
+/// One thread reads and tells another, and nothing else.
+Durations_us told(Feed& feed) {
+    const WallClock clock;
+    std::counting_semaphore<> news{0};
+    std::atomic<std::int64_t> read_ns{0};
+    const std::jthread reader([&](const std::stop_token& stop) {
+        const sched_param priority{.sched_priority = hardware::kReaderPriority};
+        (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);  // as the driver's
+        while (!stop.stop_requested()) {
+            pollfd waiting{feed.fd(), POLLIN, 0};
+            if (poll(&waiting, 1, 10) <= 0) continue;
+            std::array<std::byte, 64> report{};
+            if (::read(feed.fd(), report.data(), report.size()) <= 0) continue;
+            read_ns = clock.now().time_since_epoch().count();
+            news.release();
+        }
+    });
+    feed.start();
+    std::vector<double> us;
+    for (int count = 0; count < kWarmUp + kReports && clock.now() < HostTime(kLongest); ++count) {
+        if (!news.try_acquire_for(std::chrono::seconds(1))) return std::nullopt;
+        const HostTime now = clock.now();
+        if (count >= kWarmUp)
+            us.push_back(1e3 * to_ms(now - HostTime(Nanoseconds(read_ns.load()))));
+    }
+    return us;
+}
+
+struct Way {
+    const char* name;
+    Durations_us (*measure)(Feed&);
+};
+
+void run(benchmark::State& state, Bench& bench, const Way& c) {
+    for (auto unused : state) {
+        auto feed = Feed::begin();
+        if (!feed) return state.SkipWithError("no socket pair");
+        auto measured = c.measure(*feed);
+        if (!measured || measured->size() != kReports)
+            return state.SkipWithError("reports were lost or changed on the way");
+        std::vector<double>& us = *measured;
         std::sort(us.begin(), us.end());
         const auto at = [&](double p) { return us[static_cast<std::size_t>(p * (kReports - 1))]; };
         state.counters["p50_us"] = at(0.50);
         state.counters["p99_us"] = at(0.99);
-        bench.results.add("transport", "imu 1 kHz",
+        bench.results.add("transport", c.name,
                           {{"reports", kReports},
                            {"p50_us", at(0.50)},
                            {"p90_us", at(0.90)},
@@ -143,11 +239,14 @@ void run(benchmark::State& state, Bench& bench) {
 }  // namespace
 
 void register_transport(Bench& bench) {
-    benchmark::RegisterBenchmark("BM_Transport",
-                                 [&bench](benchmark::State& state) { run(state, bench); })
-        ->Iterations(1)
-        ->UseRealTime()
-        ->Unit(benchmark::kSecond);
+    for (const Way& c : {Way{"imu 1 kHz", waited_for}, Way{"bare hand-over", told},
+                         Way{"imu 1 kHz, packets waiting", taken}}) {
+        benchmark::RegisterBenchmark((std::string("BM_Transport/") + c.name).c_str(),
+                                     [&bench, c](benchmark::State& state) { run(state, bench, c); })
+            ->Iterations(1)
+            ->UseRealTime()
+            ->Unit(benchmark::kSecond);
+    }
 }
 
 }  // namespace foverig::bench
