@@ -16,11 +16,19 @@ constexpr Nanoseconds kLineEvery{5'000'000'000};
 Progress::Progress() : on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void Progress::show(const SessionProgress& progress) {
-    const HostTime now = clock_.now();
-    if (now < next_ && progress.share < 1.0) return;
-    next_ = now + (on_terminal_ ? kRewriteEvery : kLineEvery);
-    const std::string line = fmt::format("frame {}  {:3.0f} %  {:.1f} ms a frame", progress.frames,
-                                         100.0 * progress.share, progress.frame_time_ms);
+    if (clock_.now() < next_ && progress.share < 1.0) return;
+    put(fmt::format("frame {}  {:3.0f} %  {:.1f} ms a frame", progress.frames,
+                    100.0 * progress.share, progress.frame_time_ms));
+}
+
+void Progress::show(HostTime until, const RecorderCounts& counts) {
+    if (clock_.now() < next_) return;
+    put(fmt::format("recorded {:.3f} s  {} messages  {} dropped",
+                    to_seconds(until.time_since_epoch()), counts.messages, counts.dropped));
+}
+
+void Progress::put(const std::string& line) {
+    next_ = clock_.now() + (on_terminal_ ? kRewriteEvery : kLineEvery);
     if (on_terminal_) {
         fmt::print(stderr, "\r\x1b[2K{}", line);
         line_open_ = true;

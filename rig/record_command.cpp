@@ -4,6 +4,7 @@
 
 #include "rig/commands.h"
 #include "rig/interrupt.h"
+#include "rig/progress.h"
 #include "rig/require_devices.h"
 #include "rig/scenario/parse.h"
 #include "rig/session/device_streams.h"
@@ -69,10 +70,13 @@ ExitCode record_command(const RecordRequest& request) {
     DeviceStreams devices(scenario, *world, clock.clock(), &recording);
     devices.tell([](const std::string& text) { fmt::print(stderr, "{}\n", text); });
     const Interrupt interrupt;
+    Progress progress;
     const HostTime end = clock.now() + from_seconds(scenario.settle_s) + duration_of(scenario);
     while (clock.now() < end && !interrupt.requested() && !world->at_end()) {
         devices.run_for(std::min(kStep, end - clock.now()));
+        progress.show(clock.now(), recording.counts());
     }
+    progress.done();
     print(file, devices.records(), recording.end());
     return ExitCode::good;
 }

@@ -40,6 +40,8 @@ class SessionRecording {
 
     /// Throws std::runtime_error where something could not be written.
     void check() const;
+    /// So far.
+    RecorderCounts counts() const { return recorder_->counts(); }
     RecordingRecord end();
 
   private:
