@@ -27,11 +27,11 @@ NextPacket WorsenedGaze::next(HostTime deadline) {
     if (packet == nullptr) return got;
     packet->arrival += worsening_.added_latency;
     clock_.sleep_until(packet->arrival);
-    packet->bytes = worsened(packet->bytes);
+    packet->bytes = worsened(std::move(packet->bytes).release());
     return got;
 }
 
-std::vector<std::byte> WorsenedGaze::worsened(const std::vector<std::byte>& bytes) const {
+std::vector<std::byte> WorsenedGaze::worsened(std::vector<std::byte> bytes) const {
     Result<gaze::Frame> decoded = gaze::decode_frame(bytes);
     if (!decoded) return bytes;
     gaze::Frame frame = std::move(decoded).value();

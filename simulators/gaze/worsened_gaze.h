@@ -31,7 +31,7 @@ class WorsenedGaze final : public Transport {
                                                std::size_t size) override;
 
   private:
-    std::vector<std::byte> worsened(const std::vector<std::byte>& bytes) const;
+    std::vector<std::byte> worsened(std::vector<std::byte> bytes) const;
     void add_noise(gaze::SampleFrame& frame) const;
 
     Transport& tracker_;
