@@ -94,8 +94,9 @@ TEST(ScenarioParse, ChecksRanges) {
     EXPECT_THAT(complaint_of("lights.areas_m = [1, 2, 3]\n"), HasSubstr("nine numbers a light"));
     EXPECT_THAT(complaint_of("camera.path = \"keys\"\n"), HasSubstr("belong together"));
     EXPECT_THAT(complaint_of("faults.dk2.dropout = 2\n"), HasSubstr("faults.dk2.dropout"));
-    EXPECT_THAT(complaint_of("tracking.gaze_rate_hz = 75\n"),
-                HasSubstr("tracking.gaze_rate_hz is 75; expected 60, 120 or 250 (Hz)"));
+    EXPECT_THAT(
+        complaint_of("tracking.gaze_rate_hz = 75\n"),
+        HasSubstr("tracking.gaze_rate_hz is the whole number 75; expected 60, 120 or 250 (Hz)"));
     EXPECT_THAT(complaint_of("tracking.gaze_rate_hz = 60.5\n"), HasSubstr("60, 120 or 250 (Hz)"));
 }
 
