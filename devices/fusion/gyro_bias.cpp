@@ -13,16 +13,16 @@ double largest(const dvec3& v) {
 
 }  // namespace
 
-void GyroBias::add(const dvec3& gyro_rad_s, const dvec3& accel_m_s2, double temperature_c,
+bool GyroBias::add(const dvec3& gyro_rad_s, const dvec3& accel_m_s2, double temperature_c,
                    double dt_s) {
     time_s_ += dt_s;
     smooth_ = samples_ == 0 ? gyro_rad_s : glm::mix(smooth_, gyro_rad_s, config_.smoothing);
     const bool moves = largest(smooth_) >= config_.max_rate_rad_s ||
                        (samples_ > 0 && largest(smooth_ - mean_) >= config_.max_deviation_rad_s);
     if (moves) {
-        if (still_s_ > config_.partial_s) adopt_if_gravity_was_still();
+        const bool told = still_s_ > config_.partial_s && adopt_if_gravity_was_still();
         restart();
-        return;
+        return told;
     }
     ++samples_;
     mean_ += (gyro_rad_s - mean_) / static_cast<double>(samples_);
@@ -31,19 +31,20 @@ void GyroBias::add(const dvec3& gyro_rad_s, const dvec3& accel_m_s2, double temp
     accel_mean_m_s2_ += accel_step_m_s2 / static_cast<double>(samples_);
     accel_squares_ += accel_step_m_s2 * (accel_m_s2 - accel_mean_m_s2_);
     still_s_ += dt_s;
-    if (still_s_ >= config_.full_s) {
-        adopt_if_gravity_was_still();
-        restart();
-    }
+    if (still_s_ < config_.full_s) return false;
+    const bool told = adopt_if_gravity_was_still();
+    restart();
+    return told;
 }
 
-void GyroBias::adopt_if_gravity_was_still() {
+bool GyroBias::adopt_if_gravity_was_still() {
     const double limit = config_.max_accel_deviation_m_s2;
-    if (largest(accel_squares_) > samples_ * limit * limit) return;
+    if (largest(accel_squares_) > samples_ * limit * limit) return false;
     const Moment now{mean_, mean_temperature_c_, time_s_};
     if (known_) learn_slope(now);
     learnt_ = now;
     known_ = true;
+    return true;
 }
 
 void GyroBias::learn_slope(const Moment& later) {

@@ -30,8 +30,9 @@ class GyroBias {
   public:
     explicit GyroBias(const GyroBiasConfig& config = {}) : config_(config) {}
 
-    /// `gyro_rad_s` with no offset taken off; `dt_s` since the sample before.
-    void add(const dvec3& gyro_rad_s, const dvec3& accel_m_s2, double temperature_c, double dt_s);
+    /// `gyro_rad_s` with no offset taken off; `dt_s` since the sample before. True where a still
+    /// moment has just told the offset.
+    bool add(const dvec3& gyro_rad_s, const dvec3& accel_m_s2, double temperature_c, double dt_s);
 
     dvec3 offset_rad_s(double temperature_c) const {
         return learnt_.rad_s + (temperature_c - learnt_.temperature_c) * slope_rad_s_c();
@@ -41,7 +42,7 @@ class GyroBias {
 
   private:
     void restart();
-    void adopt_if_gravity_was_still();
+    bool adopt_if_gravity_was_still();
 
     /// One still moment's.
     struct Moment {

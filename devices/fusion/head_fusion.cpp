@@ -41,9 +41,10 @@ void HeadFusion::add(const ImuSample& sample) {
     } else {
         integrate(sample, dt_s);
     }
-    if (config_.auto_bias)
-        bias_.add(sample.gyro_rad_s, sample.accel_m_s2, sample.temperature_c, dt_s);
-    rate_rad_s_ = sample.gyro_rad_s - bias_.offset_rad_s(sample.temperature_c);
+    if (config_.auto_bias &&
+        bias_.add(sample.gyro_rad_s, sample.accel_m_s2, sample.temperature_c, dt_s))
+        offset_by_gravity_rad_s_ = dvec3(0);
+    rate_rad_s_ = sample.gyro_rad_s - offset_rad_s(sample.temperature_c);
     newest_ = sample;
     remember_rate(sample);
     correct_tilt(sample.accel_m_s2, dt_s);
@@ -59,7 +60,7 @@ void HeadFusion::start(const ImuSample& sample) {
 }
 
 void HeadFusion::integrate(const ImuSample& sample, double dt_s) {
-    const dvec3 rate_rad_s = sample.gyro_rad_s - bias_.offset_rad_s(sample.temperature_c);
+    const dvec3 rate_rad_s = sample.gyro_rad_s - offset_rad_s(sample.temperature_c);
     // Over missing samples the last rate goes on; only the last interval knows both its ends.
     const double known_s = std::min(dt_s, 1.5 * kSampleInterval_s);
     world_from_head_ = world_from_head_ * exp_map(rate_rad_s_ * (dt_s - known_s)) *
@@ -100,11 +101,21 @@ void HeadFusion::correct_tilt(const dvec3& accel_m_s2, double dt_s) {
     const bool first = still && gravity_s_ <= config_.accel_time_constant_s;
     const double share = first ? 1.0 : std::min(1.0, gain_per_s * dt_s);
     const dvec3 error = rotation_between(glm::normalize(gravity_world_m_s2_), kUp);
+    learn_from_tilt(error, dt_s);
     const dquat step = exp_map(error * share);
     world_from_head_ = glm::normalize(step * world_from_head_);
     gravity_world_m_s2_ = step * gravity_world_m_s2_;
     sensor_velocity_world_m_s_ = step * *sensor_velocity_world_m_s_;
     if (gravity_s_ > 1) lost_track_ = false;
+}
+
+// Critically damped with the pull. Not before the pull has found where up is: what it takes off
+// until then is the start's error, not the gyro's.
+void HeadFusion::learn_from_tilt(const dvec3& error_rad, double dt_s) {
+    const double gain_per_s = config_.tilt_gain_per_s;
+    if (!config_.auto_bias || gravity_s_ * gain_per_s < 1) return;
+    offset_by_gravity_rad_s_ -=
+        0.25 * gain_per_s * gain_per_s * dt_s * (glm::conjugate(world_from_head_) * error_rad);
 }
 
 void HeadFusion::remember_rate(const ImuSample& sample) {

@@ -1,6 +1,8 @@
 #pragma once
 // Orientation from gyro integration with a slow pull towards gravity, and a neck for position
-// (DEVICES.md 2.1, 3.1; LaValle et al. 2014). Yaw has no reference and keeps what the gyro says.
+// (DEVICES.md 2.1, 3.1; LaValle et al. 2014). What the pull must go on making good is the gyro's
+// offset, as far as gravity sees it (the integral of Mahony et al. 2008): a head that never rests
+// teaches it too. Yaw has no reference and keeps what the gyro says.
 #include <deque>
 #include <optional>
 
@@ -48,6 +50,10 @@ class HeadFusion {
     void integrate(const ImuSample& sample, double dt_s);
     void sense_gravity(const dvec3& accel_m_s2, double dt_s);
     void correct_tilt(const dvec3& accel_m_s2, double dt_s);
+    void learn_from_tilt(const dvec3& error_rad, double dt_s);
+    dvec3 offset_rad_s(double temperature_c) const {
+        return bias_.offset_rad_s(temperature_c) + offset_by_gravity_rad_s_;
+    }
     bool near_gravity(const dvec3& force_m_s2) const;
     void remember_rate(const ImuSample& sample);
     dvec3 angular_acceleration_rad_s2() const;
@@ -62,7 +68,8 @@ class HeadFusion {
     bool started_ = false;
     bool lost_track_ = false;  ///< a gap too long to integrate was passed
     ImuSample newest_;
-    dvec3 rate_rad_s_{0};  ///< of the newest sample, bias removed
+    dvec3 rate_rad_s_{0};               ///< of the newest sample, bias removed
+    dvec3 offset_by_gravity_rad_s_{0};  ///< beyond what the last still moment told
     dquat world_from_head_{1, 0, 0, 0};
     dvec3 gravity_world_m_s2_{0};  ///< low-passed specific force of a sensor on no lever
     double gravity_s_ = 0;         ///< how long gravity has been sensed
