@@ -110,10 +110,11 @@ void HeadFusion::correct_tilt(const dvec3& accel_m_s2, double dt_s) {
 }
 
 // Critically damped with the pull. Not before the pull has found where up is: what it takes off
-// until then is the start's error, not the gyro's.
+// until then is the start's error, not the gyro's. Nor from a fast turn, whose own forces pull too.
 void HeadFusion::learn_from_tilt(const dvec3& error_rad, double dt_s) {
     const double gain_per_s = config_.tilt_gain_per_s;
     if (!config_.auto_bias || gravity_s_ * gain_per_s < 1) return;
+    if (glm::length(rate_rad_s_) > config_.max_teaching_rate_rad_s) return;
     offset_by_gravity_rad_s_ -=
         0.25 * gain_per_s * gain_per_s * dt_s * (glm::conjugate(world_from_head_) * error_rad);
 }
