@@ -9,6 +9,7 @@
 #include "rig/records/columns.h"
 #include "rig/records/vsync_count.h"
 #include "rig/scenario/parse.h"
+#include "rig/session/no_renderer.h"
 #include "rig/session/session.h"
 
 namespace foverig::bench {
@@ -16,21 +17,6 @@ namespace {
 
 constexpr int kFrames = 3000;
 constexpr double kPredicted_deg = 0.5;  ///< the simulated head's poses are known better than that
-
-class IdleRenderer final : public Renderer {
-  public:
-    FrameStats render(const FrameInput&) override { return {}; }
-    const EffectPlan& plan() const override { return plan_; }
-    std::string backend_name() const override { return "none"; }
-    std::uint64_t backend_bytes() const override { return 0; }
-    Image image(int) const override { return {}; }
-    View<const Half4> pixels(int) const override { return {}; }
-    Mask sampling_mask(int) const override { return {}; }
-    Mask resampling_mask(int) const override { return {}; }
-
-  private:
-    EffectPlan plan_;
-};
 
 double at_share(const std::vector<double>& sorted, double share) {
     return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
@@ -61,7 +47,7 @@ void bm_pose_to_present(benchmark::State& state, Bench& bench) {
     complete_scenario(scenario);
     const auto scene = open_scene(scenario);
     for (auto _ : state) {
-        IdleRenderer idle;
+        NoRenderer idle;
         Session session(scenario, *scene, idle, nullptr);
         const RunRecord run = session.run({});
         if (const auto why = wrong(run); !why.empty()) return state.SkipWithError(why.c_str());

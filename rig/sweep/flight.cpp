@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "rig/session/no_renderer.h"
 #include "rig/session/session.h"
 #include "rig/text/digest.h"
 
@@ -9,22 +10,6 @@ namespace foverig::sweep {
 namespace {
 
 constexpr double kShareOfVsync = 0.75;  // any cost below 1 makes every VSync
-
-/// Renders nothing: a session with it is its inputs alone.
-class NoRenderer final : public Renderer {
-  public:
-    FrameStats render(const FrameInput&) override { return {}; }
-    const EffectPlan& plan() const override { return plan_; }
-    std::string backend_name() const override { return "none"; }
-    std::uint64_t backend_bytes() const override { return 0; }
-    Image image(int) const override { return {}; }
-    View<const Half4> pixels(int) const override { return {}; }
-    Mask sampling_mask(int) const override { return {}; }
-    Mask resampling_mask(int) const override { return {}; }
-
-  private:
-    EffectPlan plan_;
-};
 
 /// Plain numbers without gaps between them.
 template <class T>
