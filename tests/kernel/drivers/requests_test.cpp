@@ -53,6 +53,13 @@ std::string input_reports(Transport& headset, const Clock& clock) {
     return ids;
 }
 
+/// From `before` to `after` once, and not back. Of the old ones none need be left: they come each
+/// millisecond, and the request may be answered before the next.
+void expect_switch(const std::string& ids, char before, char after) {
+    const std::string new_alone(1, after);
+    EXPECT_TRUE(ids == new_alone || ids == before + new_alone) << ids;
+}
+
 class Requests : public testing::Test {
   protected:
     void SetUp() override { headset_link = headset(clock); }
@@ -93,10 +100,10 @@ TEST_F(Requests, TheOldKeepAliveSwitchesTheInputReport) {
     EXPECT_EQ(input_reports(*headset_link, clock), "B");
     EXPECT_TRUE(
         headset_link->control_set(Dk1KeepAliveReport::kId, 0, Dk1KeepAliveReport{}.encode()));
-    EXPECT_EQ(input_reports(*headset_link, clock), "B1");
+    expect_switch(input_reports(*headset_link, clock), 'B', '1');
     EXPECT_TRUE(
         headset_link->control_set(KeepAliveMuxReport::kId, 0, KeepAliveMuxReport{}.encode()));
-    EXPECT_EQ(input_reports(*headset_link, clock), "1B");
+    expect_switch(input_reports(*headset_link, clock), '1', 'B');
 }
 
 TEST(RequestsOverUhid, FeatureAndInputReportsAreTheSame) {
