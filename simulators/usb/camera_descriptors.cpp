@@ -1,6 +1,7 @@
 #include "simulators/usb/camera_descriptors.h"
 
 #include <string_view>
+#include <utility>
 
 #include "devices/camera/esp570.h"
 
@@ -48,16 +49,25 @@ std::vector<std::byte> video_control(const CameraTraits& camera) {
     return with_total_length(std::move(all), 5);
 }
 
+/// A format of one frame size, and the subtype of its frame descriptor (UVC 1.0, Uncompressed
+/// Payload, table 3-1; MJPEG Payload, table 3-1).
+std::pair<std::vector<std::byte>, unsigned> stream_format(const CameraTraits& camera) {
+    if (camera.jpeg) return {bytes_of({11, kClassInterface, 6, 1, 1, 0, 1, 0, 0, 0, 0}), 7};
+    auto format = bytes_of({27, kClassInterface, 4, 1, 1});
+    append(format, kYuy2Guid);
+    append(format, bytes_of({16, 1, 0, 0, 0, 0}));
+    return {format, 5};
+}
+
 std::vector<std::byte> video_streaming(const CameraTraits& camera) {
     auto all = bytes_of({14, kClassInterface, 1, 1, 0, 0, 0x80U | kCameraFrames, 0, kOutputTerminal,
                          0, 0, 0, 1, 0});
-    append(all, bytes_of({27, kClassInterface, 4, 1, 1}));  // one frame size
-    append(all, kYuy2Guid);
-    append(all, bytes_of({16, 1, 0, 0, 0, 0}));
+    const auto [format, frame_subtype] = stream_format(camera);
+    append(all, format);
     constexpr std::uint64_t kUnits_s = 10'000'000;  // of an interval
     const auto bits_s =
         static_cast<std::uint32_t>(camera.frame_bytes() * 8U * kUnits_s / camera.interval);
-    auto frame = bytes_of({30, kClassInterface, 5, 1, 0, byte_of(camera.width_px, 0),
+    auto frame = bytes_of({30, kClassInterface, frame_subtype, 1, 0, byte_of(camera.width_px, 0),
                            byte_of(camera.width_px, 1), byte_of(camera.height_px, 0),
                            byte_of(camera.height_px, 1)});
     const auto append_word = [&](std::uint32_t word) {

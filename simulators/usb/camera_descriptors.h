@@ -14,14 +14,16 @@ inline constexpr std::uint32_t kCameraPayload = 16'384;  ///< of one transfer, h
 /// Selectors of the extension unit, and how long each is (DEVICES.md 1.8.1); 0: there is none.
 std::uint16_t extension_size(std::uint8_t selector);
 
-/// A UVC camera of one stream: YUY2 of one size at one rate.
+/// A UVC camera of one stream: YUY2 or Motion JPEG of one size at one rate.
 struct CameraTraits {
     std::uint16_t vendor = 0, product = 0;
     std::array<std::string, 3> strings{};  ///< manufacturer, product, serial; ASCII
     std::uint16_t width_px = 0, height_px = 0;
     std::uint32_t interval = 0;   ///< 100 ns
     bool extension_unit = false;  ///< the DK2's bridge chip
+    bool jpeg = false;            ///< frames of differing sizes
 
+    /// Of a JPEG the most it may have.
     std::uint32_t frame_bytes() const { return 2U * width_px * height_px; }
 };
 

@@ -93,7 +93,7 @@ bool CameraFunction::take(const Setup& setup, Bytes data) {
 std::vector<std::vector<std::byte>> CameraFunction::transfers(std::vector<std::byte> packet) {
     constexpr std::uint8_t kEndOfHeader = 0x80, kEndOfFrame = 0x02;
     std::vector<std::vector<std::byte>> payloads;
-    const auto header = camera::decode_header(packet);
+    const auto header = camera::decode_any_header(packet);
     if (!streams_ || !header) return payloads;
     Bytes image = Bytes(packet).subspan(camera::FrameHeader::kSize, header->image_bytes);
     frame_id_ ^= 1;

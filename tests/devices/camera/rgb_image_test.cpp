@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
-#include <jpeglib.h>
+#include "tests/devices/camera/jpeg_of.h"
 
 namespace foverig::camera {
 namespace {
@@ -28,38 +26,17 @@ Rgb at(const RgbImage& image, int x, int y) {
     return {p[0], p[1], p[2]};
 }
 
-/// Red grows to the right and green downwards; as a camera's JPEG: 4:2:2, quality 95.
-std::vector<std::byte> jpeg_of(int width_px, int height_px) {
-    jpeg_compress_struct jpeg{};
-    jpeg_error_mgr errors{};
-    jpeg.err = jpeg_std_error(&errors);
-    jpeg_create_compress(&jpeg);
-    unsigned char* memory = nullptr;
-    unsigned long size = 0;
-    jpeg_mem_dest(&jpeg, &memory, &size);
-    jpeg.image_width = static_cast<JDIMENSION>(width_px);
-    jpeg.image_height = static_cast<JDIMENSION>(height_px);
-    jpeg.input_components = 3;
-    jpeg.in_color_space = JCS_RGB;
-    jpeg_set_defaults(&jpeg);
-    jpeg_set_quality(&jpeg, 95, TRUE);
-    jpeg.comp_info[0].v_samp_factor = 1;
-    jpeg_start_compress(&jpeg, TRUE);
+/// Red grows to the right and green downwards.
+std::vector<std::byte> jpeg_of_gradient(int width_px, int height_px) {
+    RgbImage image{.width_px = width_px, .height_px = height_px, .bytes = {}};
     for (int y = 0; y < height_px; ++y) {
-        std::vector<std::uint8_t> row;
         for (int x = 0; x < width_px; ++x) {
-            row.insert(row.end(), {static_cast<std::uint8_t>(2 * x),
-                                   static_cast<std::uint8_t>(3 * y), std::uint8_t{40}});
+            image.bytes.insert(image.bytes.end(),
+                               {static_cast<std::uint8_t>(2 * x), static_cast<std::uint8_t>(3 * y),
+                                std::uint8_t{40}});
         }
-        JSAMPROW rows = row.data();
-        jpeg_write_scanlines(&jpeg, &rows, 1);
     }
-    jpeg_finish_compress(&jpeg);
-    jpeg_destroy_compress(&jpeg);
-    const auto* bytes = reinterpret_cast<const std::byte*>(memory);
-    std::vector<std::byte> all(bytes, bytes + size);
-    std::free(memory);
-    return all;
+    return test::jpeg_of(image);
 }
 
 const FrameHeader kJpegHeader{.format = kMjpeg, .width_px = 96, .height_px = 64, .stride_bytes = 0};
@@ -105,12 +82,12 @@ TEST(RgbImage, RowsMayBePadded) {
 }
 
 TEST(RgbImage, ReadsMotionJpeg) {
-    expect_gradient(converted(kJpegHeader, jpeg_of(96, 64)));
+    expect_gradient(converted(kJpegHeader, jpeg_of_gradient(96, 64)));
 }
 
 // USB Video Class 1.1, MJPEG payload: a camera may leave the standard Huffman tables out.
 TEST(RgbImage, ReadsMotionJpegWithoutItsHuffmanTables) {
-    const auto whole = jpeg_of(96, 64);
+    const auto whole = jpeg_of_gradient(96, 64);
     std::vector<std::byte> bare(whole.begin(), whole.begin() + 2);
     std::size_t pos = 2;
     while (whole[pos + 1] != std::byte{0xDA}) {  // segments before the scan
@@ -134,7 +111,7 @@ TEST(RgbImage, RefusesWhatIsNoPictureOfTheStreamsSize) {
         header.image_bytes = static_cast<std::uint32_t>(bytes.size());
         return !to_rgb(header, packet, image);
     };
-    const auto jpeg = jpeg_of(96, 64);
+    const auto jpeg = jpeg_of_gradient(96, 64);
     FrameHeader other = kJpegHeader;
     other.width_px = 98;
     EXPECT_TRUE(refused(other, jpeg));

@@ -12,6 +12,7 @@
 #include "simulators/usb/camera_function.h"
 #include "simulators/usb/exposed_device.h"
 #include "simulators/usb/vhci_face.h"
+#include "tests/devices/camera/jpeg_of.h"
 #include "tests/kernel/drivers/desk.h"
 
 namespace foverig::test {
@@ -33,22 +34,45 @@ class AnsweringCamera final : public Transport {
     CameraRegisters registers_{camera::Lens{}};
 };
 
+RigidPose turning(double seconds) {
+    return {glm::angleAxis(0.3 * seconds, dvec3(0, 1, 0)), dvec3(0)};
+}
+
+/// What a camera that compresses sees of the room, no two of one size; made before it is needed, as
+/// the virtual machine takes longer for one than a frame lasts.
+std::vector<std::vector<std::byte>> jpegs_of_room() {
+    constexpr int kWidth_px = RoomCamera::kWidth_px, kHeight_px = RoomCamera::kHeight_px;
+    const RoomView view(kWidth_px, kHeight_px, 60.0);
+    std::vector<std::byte> yuyv(std::size_t{2} * kWidth_px * kHeight_px);
+    camera::RgbImage rgb;
+    std::vector<std::vector<std::byte>> jpegs;
+    for (int i = 0; i < 7; ++i) {
+        view.render(turning(i), yuyv);
+        const auto frame = camera::encode_frame({.format = camera::kYuyv,
+                                                 .width_px = kWidth_px,
+                                                 .height_px = kHeight_px,
+                                                 .stride_bytes = 2 * kWidth_px},
+                                                yuyv);
+        EXPECT_TRUE(camera::to_rgb(camera::decode_header(frame).value(), frame, rgb));
+        jpegs.push_back(jpeg_of(rgb));
+    }
+    return jpegs;
+}
+
 /// A room that turns before its camera; remembers what was sent.
 class RememberedRoom final : public Transport {
   public:
-    explicit RememberedRoom(Clock& clock)
-        : room_(
-              clock,
-              [](HostTime t) {
-                  const double angle_rad = 0.3 * to_seconds(t.time_since_epoch());
-                  return RigidPose{glm::angleAxis(angle_rad, dvec3(0, 1, 0)), dvec3(0)};
-              },
-              60.0) {}
+    RememberedRoom(Clock& clock, bool jpeg)
+        : jpegs_(jpeg ? jpegs_of_room() : std::vector<std::vector<std::byte>>{}),
+          room_(
+              clock, [](HostTime t) { return turning(to_seconds(t.time_since_epoch())); }, 60.0) {}
 
     NextPacket next(HostTime deadline) override {
         NextPacket got = room_.next(deadline);
-        if (const auto* packet = std::get_if<Packet>(&got))
+        if (auto* packet = std::get_if<Packet>(&got)) {
+            if (!jpegs_.empty()) packet->bytes = compressed(packet->bytes);
             sent.push_back(to_vector(packet->bytes));
+        }
         return got;
     }
     Status control_set(std::uint8_t id, std::uint16_t value,
@@ -62,6 +86,14 @@ class RememberedRoom final : public Transport {
     std::vector<std::vector<std::byte>> sent;
 
   private:
+    std::vector<std::byte> compressed(Bytes frame) const {
+        auto header = camera::decode_header(frame).value();
+        header.format = camera::kMjpeg;
+        header.stride_bytes = 0;
+        return camera::encode_frame(header, jpegs_[sent.size() % jpegs_.size()]);
+    }
+
+    std::vector<std::vector<std::byte>> jpegs_;
     RoomCamera room_;
 };
 
@@ -98,18 +130,18 @@ TEST(TrackerCameraOnUsb, AnswersThroughTheKernelsExtensionUnit) {
     EXPECT_TRUE(source->calibrated()) << "the lens of its EEPROM";
 }
 
-TEST(AnyCameraOnUsb, GivesEveryFrameOfTheNearestSizeAndRate) {
-    constexpr hardware::UsbId kId{0x1209, 0x0003};
+void expect_every_frame_of_nearest_size_and_rate(const usb::CameraTraits& traits) {
+    const hardware::UsbId id{traits.vendor, traits.product};
     WallClock clock;
-    RememberedRoom room(clock);
+    RememberedRoom room(clock, traits.jpeg);
     usb::LockedTransport model(room);
-    auto device = exposed(model, clock, usb::room_camera());
+    auto device = exposed(model, clock, traits);
     auto link = opened([&] {
-        return hardware::open_video_camera(clock, hardware::text_of(kId),
+        return hardware::open_video_camera(clock, hardware::text_of(id),
                                            {.width_px = 800, .height_px = 600, .rate_hz = 60});
     });
     ASSERT_TRUE(device && link);
-    const auto found = hardware::find_cameras_of(kId);
+    const auto found = hardware::find_cameras_of(id);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].serial, "FOVERIGSIMROOM");
     const HostTime from = clock.now() + kSecond / 2, until = from + 2 * kSecond;
@@ -130,7 +162,7 @@ TEST(AnyCameraOnUsb, GivesEveryFrameOfTheNearestSizeAndRate) {
     for (std::size_t i = 0; i < got.size(); ++i, ++at) {
         const auto header = camera::decode_any_header(got[i].bytes);
         ASSERT_TRUE(header) << header.error().text;
-        ASSERT_EQ(header->format, camera::kYuyv);
+        ASSERT_EQ(header->format, traits.jpeg ? camera::kMjpeg : camera::kYuyv);
         ASSERT_EQ(header->width_px, 640);
         ASSERT_EQ(header->height_px, 480);
         ASSERT_FALSE(header->damaged);
@@ -143,6 +175,16 @@ TEST(AnyCameraOnUsb, GivesEveryFrameOfTheNearestSizeAndRate) {
     EXPECT_TRUE(
         camera::to_rgb(*camera::decode_any_header(got.back().bytes), got.back().bytes, image));
     EXPECT_EQ(image.bytes.size(), 640u * 480u * 3u);
+}
+
+TEST(AnyCameraOnUsb, GivesEveryFrameOfTheNearestSizeAndRate) {
+    expect_every_frame_of_nearest_size_and_rate(usb::room_camera());
+}
+
+TEST(AnyCameraOnUsb, GivesEveryJpegWhateverItsSize) {
+    usb::CameraTraits traits = usb::room_camera();
+    traits.jpeg = true;
+    expect_every_frame_of_nearest_size_and_rate(traits);
 }
 
 }  // namespace
