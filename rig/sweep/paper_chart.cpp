@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "rig/report/svg.h"
 
@@ -22,12 +23,21 @@ constexpr double kCap = 4.0;     // half the end of an interval's line
 constexpr double kMark = 4.5;
 constexpr double kLine = 15.0;  // of text
 
-/// A place on the horizontal axis; those of a case stand together.
+/// A place on the horizontal axis; those of a case stand together, and those of a scene.
 struct Place {
     const json* row;
     double x;
     bool first_of_case;
+    bool first_of_scene;
 };
+
+/// "Sponza, area light, 8 samples": the scene, and the rest.
+std::pair<std::string, std::string> parts_of(const json& row) {
+    const auto name = row.at("case").get<std::string>();
+    const auto comma = name.find(", ");
+    if (comma == std::string::npos) return {name, ""};
+    return {name.substr(0, comma), name.substr(comma + 2)};
+}
 
 std::vector<Place> places_of(const json& paper) {
     std::vector<const json*> shown;
@@ -38,7 +48,8 @@ std::vector<Place> places_of(const json& paper) {
         (kRight - kLeft) / static_cast<double>(std::max<std::size_t>(1, shown.size()));
     for (std::size_t i = 0; i < shown.size(); ++i)
         places.push_back({shown[i], kLeft + (static_cast<double>(i) + 0.5) * step,
-                          i == 0 || shown[i]->at("case") != shown[i - 1]->at("case")});
+                          i == 0 || shown[i]->at("case") != shown[i - 1]->at("case"),
+                          i == 0 || parts_of(*shown[i]).first != parts_of(*shown[i - 1]).first});
     return places;
 }
 
@@ -131,28 +142,47 @@ void draw_panel(Svg& svg, const json& paper, const std::vector<Place>& places, d
     for (const Place& place : places) draw_marks(svg, paper, place, y, of);
 }
 
-/// Variants below their places where a case has several; the case's name, a line for each of its
-/// parts, below them.
-void draw_names(Svg& svg, const std::vector<Place>& places) {
-    const double first_line = kTop + 2 * kPanel + kGap + 18.0;
+/// Calls `draw` with the first and the last of neighbours of which the first alone `begins`.
+template <class Draw>
+void for_each_run(const std::vector<Place>& places, bool Place::*begins, Draw draw) {
     for (std::size_t i = 0; i < places.size();) {
         std::size_t end = i + 1;
-        while (end < places.size() && !places[end].first_of_case) ++end;
-        const bool several = end - i > 1;
-        for (std::size_t k = i; several && k < end; ++k)
-            svg.text({places[k].x, first_line}, places[k].row->at("variant").get<std::string>(),
-                     "axis", "middle");
-        std::string name = places[i].row->at("case").get<std::string>();
-        double line = first_line + (several ? 1.3 * kLine : 0.0);
-        for (bool more = true; more; line += kLine) {
-            const auto comma = several ? std::string::npos : name.find(", ");
-            more = comma != std::string::npos;
-            svg.text({(places[i].x + places[end - 1].x) / 2.0, line}, name.substr(0, comma),
-                     line == first_line || several ? "axis-strong" : "axis", "middle");
-            if (more) name = name.substr(comma + 2);
-        }
+        while (end < places.size() && !(places[end].*begins)) ++end;
+        draw(places[i], places[end - 1]);
         i = end;
     }
+}
+
+/// From fine to coarse: the variants where a case has several, what the case is besides its scene,
+/// and the scene once for all its cases.
+void draw_names(Svg& svg, const std::vector<Place>& places) {
+    const auto middle = [](const Place& a, const Place& b) { return (a.x + b.x) / 2.0; };
+    const bool several =
+        std::ranges::any_of(places, [](const Place& p) { return !p.first_of_case; });
+    double line = kTop + 2 * kPanel + kGap + 18.0;
+    if (several) {
+        for (const Place& place : places)
+            svg.text({place.x, line}, place.row->at("variant").get<std::string>(), "axis",
+                     "middle");
+        line += 1.3 * kLine;
+    }
+    double scene_line = line;
+    for_each_run(places, &Place::first_of_case, [&](const Place& first, const Place& last) {
+        std::string rest = parts_of(*first.row).second;
+        for (double at = line; !rest.empty(); at += kLine) {
+            const auto comma = several ? std::string::npos : rest.find(", ");
+            svg.text({middle(first, last), at}, rest.substr(0, comma), "axis", "middle");
+            rest = comma == std::string::npos ? "" : rest.substr(comma + 2);
+            scene_line = std::max(scene_line, at + 1.3 * kLine);
+        }
+    });
+    for_each_run(places, &Place::first_of_scene, [&](const Place& first, const Place& last) {
+        svg.text({middle(first, last), scene_line}, parts_of(*first.row).first, "axis-strong",
+                 "middle");
+        if (&first == &places.front()) return;
+        const double x = first.x - (places[1].x - places[0].x) / 2.0;
+        svg.line({x, kTop + 2 * kPanel + kGap}, {x, scene_line}, "grid");
+    });
 }
 
 }  // namespace
