@@ -38,7 +38,7 @@ class Tracker : public testing::Test {
         return open_gaze_tracker(clock_, kGazeTracker, "",
                                  {.retry_period = Nanoseconds(10'000'000), .realtime = false});
     }
-    HostTime soon() const { return clock_.now() + Nanoseconds(5'000'000'000); }
+    HostTime soon() const { return clock_.now() + Nanoseconds(60'000'000'000); }
     static void send(MockTracker& tracker, const std::vector<std::byte>& frame) {
         while (!tracker.send(frame)) std::this_thread::yield();
     }

@@ -82,7 +82,7 @@ class Exposed {
         int status = 0;
         ::waitpid(std::exchange(pid_, -1), &status, 0);
         const std::string id = usb_id();
-        constexpr int kTries = 1200;  // a minute of the virtual machine's
+        constexpr int kTries = 12'000;  // ten minutes of the virtual machine's, whose clock leaps
         int tries = 0;
         while (kernel_has(id) && ++tries < kTries) {
             std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -1,6 +1,8 @@
 // All devices at once, each at its full rate: what a driver gave is what its device sent.
 #include <signal.h>
 
+#include <algorithm>
+
 #include "devices/camera/blobs.h"
 #include "devices/camera/tracker_camera.h"
 #include "devices/dk2/input_reports.h"
@@ -32,15 +34,10 @@ void expect_contiguous(const Stream& stream) {
     const auto same = [&](const Packet& a, const Packet& b) {
         return std::ranges::equal(device_bytes(stream, a), device_bytes(stream, b));
     };
-    const auto first = std::find_if(sent.begin(), sent.end(), [&](const Packet& packet) {
-        return same(packet, stream.got.front());
-    });
-    ASSERT_NE(first, sent.end()) << "the first packet was never sent";
-    ASSERT_LE(stream.got.size(), static_cast<std::size_t>(sent.end() - first));
-    for (std::size_t i = 0; i < stream.got.size(); ++i) {
-        ASSERT_TRUE(same(stream.got[i], first[static_cast<std::ptrdiff_t>(i)]))
-            << "packet " << i << " of " << stream.got.size();
-    }
+    // Frames that look alike may begin in several places; the whole of them fits in one.
+    const auto run = std::ranges::search(sent, stream.got, same);
+    EXPECT_FALSE(run.empty()) << "bytes that were never sent, or " << stream.got.size()
+                              << " packets with a gap";
 }
 
 void expect_rate(const Stream& stream) {
@@ -73,7 +70,7 @@ class Streams : public testing::Test {
         Exposed slow_process({"gaze", "--set", "motion.gaze=scan", "--record", slow.file});
         Exposed fast_process({"gaze", "--set", "motion.gaze=scan", "--set",
                               "hardware.gaze_usb_id=1209:0002", "--record", fast.file});
-        Exposed camera_process({"camera", "--set", "motion.head=look", "--record", seen.file});
+        Exposed camera_process({"camera", "--set", "motion.head=still", "--record", seen.file});
         WallClock clock;
         auto headset_link = headset(clock);
         auto slow_link = tracker(clock);

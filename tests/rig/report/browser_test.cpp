@@ -37,7 +37,7 @@ class ReportInBrowser : public test::ProgramBench {
     void open(const fs::path& page) {
         const std::string command =
             "HOME='" + root_.string() +
-            "' timeout 120 chromium --headless --no-sandbox --disable-gpu --no-first-run "
+            "' timeout 400 chromium --headless --no-sandbox --disable-gpu --no-first-run "
             "--disable-background-networking --enable-logging=stderr --window-size=1200,900 "
             "--dump-dom 'file://" +
             fs::absolute(page).string() + "' >'" + (root_ / "dom").string() + "' 2>'" +
