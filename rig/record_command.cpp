@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "devices/recording/file_sink.h"
 #include "rig/commands.h"
 #include "rig/interrupt.h"
 #include "rig/progress.h"
@@ -58,6 +59,18 @@ void print(const fs::path& file, const std::vector<DeviceRecord>& devices,
                fs::absolute(file).lexically_normal().string());
 }
 
+/// Of devices that cannot be opened there is nothing to keep.
+template <class Open>
+auto opened_or_removed(const fs::path& file, Open open) {
+    try {
+        return open();
+    } catch (...) {
+        std::error_code ignored;  // the devices' error is the one to tell
+        fs::remove(file, ignored);
+        throw;
+    }
+}
+
 }  // namespace
 
 ExitCode record_command(const RecordRequest& request) {
@@ -66,8 +79,13 @@ ExitCode record_command(const RecordRequest& request) {
     const fs::path file = place_of(request);
     RunClock clock(scenario.clock, Cost{}, replay_speed(scenario));
     const auto world = make_world(scenario, clock.clock());
-    SessionRecording recording(file, scenario);
-    DeviceStreams devices(scenario, *world, clock.clock(), &recording);
+    auto sink = FileSink::create(file);
+    if (!sink) throw UsageError("--out " + sink.error().text);
+    SessionRecording recording(std::make_unique<FileSink>(std::move(sink).value()), scenario);
+    const auto opened = opened_or_removed(file, [&] {
+        return std::make_unique<DeviceStreams>(scenario, *world, clock.clock(), &recording);
+    });
+    DeviceStreams& devices = *opened;
     devices.tell([](const std::string& text) { fmt::print(stderr, "{}\n", text); });
     const Interrupt interrupt;
     Progress progress;

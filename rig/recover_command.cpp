@@ -56,7 +56,7 @@ ExitCode recover_command(const fs::path& file, const std::optional<fs::path>& ou
     }
     const Draft draft(place);
     auto sink = FileSink::create(draft.path());
-    if (!sink) throw std::runtime_error(sink.error().text);
+    if (!sink) throw UsageError("--out " + sink.error().text);
     const auto recovery = mcap::recover(torn, std::make_unique<FileSink>(std::move(sink).value()));
     if (!recovery && recovery.error().code == ErrorCode::io) {
         throw std::runtime_error(recovery.error().text);
@@ -69,6 +69,12 @@ ExitCode recover_command(const fs::path& file, const std::optional<fs::path>& ou
     }
     if (auto status = mcap::check_recovered(opened(draft.path()), *recovery); !status) {
         throw std::runtime_error(status.error().text);
+    }
+    if (recovery->messages == 0) {
+        throw InputError(
+            fmt::format("{}: none of its messages can be read, so there is nothing to "
+                        "save",
+                        file.string()));
     }
     draft.keep();
     fmt::print("saved {} messages over {:.3f} s, {} attachments, {} metadata records: {}\n",

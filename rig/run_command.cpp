@@ -27,6 +27,8 @@
 namespace foverig {
 namespace {
 
+constexpr const char* kRecordingFile = "session.mcap";
+
 /// Of a window that shows the frames, or null.
 void attach(LiveWindow* live, const Interrupt& interrupt, SessionHooks& hooks) {
     hooks.stop_requested = [&interrupt, live] {
@@ -121,6 +123,31 @@ ExitCode judged(const std::vector<FailIf>& checks, const nlohmann::json& summary
     return code;
 }
 
+/// What the devices sent cannot be made again: it outlives a run that fails.
+class RecordingRescue {
+  public:
+    RecordingRescue(const RunFolder& folder, std::optional<SessionRecording>& recording)
+        : folder_(folder), recording_(recording) {}
+    ~RecordingRescue() {
+        if (!recording_ || std::uncaught_exceptions() == exceptions_) return;
+        if (recording_->counts().messages == 0) return;
+        recording_.reset();
+        if (const auto kept = folder_.rescue(kRecordingFile)) {
+            fmt::print(stderr,
+                       "the run failed; what its devices sent is kept in {0} (foverig recover {0} "
+                       "mends it where it is torn)\n",
+                       kept->string());
+        }
+    }
+    RecordingRescue(const RecordingRescue&) = delete;
+    RecordingRescue& operator=(const RecordingRescue&) = delete;
+
+  private:
+    const RunFolder& folder_;
+    std::optional<SessionRecording>& recording_;
+    int exceptions_ = std::uncaught_exceptions();
+};
+
 }  // namespace
 
 ExitCode run_command(const RunRequest& request) {
@@ -141,11 +168,12 @@ ExitCode run_command(const RunRequest& request) {
     const auto lens = open_lens(scenario);
     KeptImages images(scenario);
     std::optional<SessionRecording> recording;
-    if (scenario.recording.enabled) recording.emplace(folder.draft() / "session.mcap", scenario);
+    if (scenario.recording.enabled) recording.emplace(folder.draft() / kRecordingFile, scenario);
     if (interrupt.requested()) {
         fmt::print(stderr, "interrupted while loading: nothing was measured\n");
         return ExitCode::interrupted;
     }
+    const RecordingRescue rescue(folder, recording);
     const RunRecord run = run_session(scenario, *scene, *renderer, governor, lens.get(), live.get(),
                                       images, recording ? &*recording : nullptr, interrupt);
     const std::uint64_t rss_bytes = peak_rss_bytes();

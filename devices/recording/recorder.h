@@ -16,9 +16,9 @@ namespace foverig {
 struct RecorderConfig {
     std::size_t chunk_bytes = std::size_t{1} << 20;   ///< a chunk of this size is written
     std::size_t queue_bytes = std::size_t{64} << 20;  ///< held while the disk is slower
-    /// A chunk is written after this long, full or not: what a crash can cost. Real time, whatever
-    /// the run's clock does.
-    Nanoseconds flush_period{500'000'000};
+    /// A chunk is written after this long, full or not: what a crash can cost, besides a stall of
+    /// the disk. Real time, whatever the run's clock does.
+    Nanoseconds flush_period{250'000'000};
     mcap::Compression compression = mcap::Compression::none;
     bool wait_when_full = false;  ///< where time can wait (lockstep): wait instead of dropping
 };

@@ -64,6 +64,14 @@ void RunFolder::write(const fs::path& name, std::string_view text) const {
     write_text(draft_ / name, text);
 }
 
+std::optional<fs::path> RunFolder::rescue(const fs::path& name) const noexcept {
+    std::error_code error;
+    const fs::path kept = beside(place_, "failed") += name.extension();
+    fs::rename(draft_ / name, kept, error);
+    if (error) return std::nullopt;
+    return kept;
+}
+
 void RunFolder::publish() {
     const fs::path old = beside(place_, "old");
     if (fs::exists(place_)) fs::rename(place_, old);

@@ -21,6 +21,9 @@ class RunFolder {
     const std::filesystem::path& place() const { return place_; }
 
     void write(const std::filesystem::path& name, std::string_view text) const;
+    /// Takes a file out of the draft, to stay beside the place whatever becomes of the run; where
+    /// it lies then, or nullopt where there is none or it cannot be moved.
+    std::optional<std::filesystem::path> rescue(const std::filesystem::path& name) const noexcept;
     void publish();
 
   private:

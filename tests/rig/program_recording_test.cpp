@@ -1,5 +1,8 @@
 // record, replay and recover as their users meet them.
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <csignal>
 
 #include "tests/rig/program_bench.h"
 
@@ -61,6 +64,67 @@ TEST_F(ProgramRecordingTest, MendsATornFileAndReplaysIt) {
     EXPECT_EQ(small_run("run", {"--devices", "replay:" + place}).code, 0);
     EXPECT_THAT(foverig({"recover", place}).out, HasSubstr("nothing to mend"));
     EXPECT_EQ(foverig({"recover", (root_ / "torn.mcap").string()}).code, 2) << "never over a file";
+}
+
+/// While it lives no file grows beyond this, as on a disk that is full.
+class FullDisk {
+  public:
+    explicit FullDisk(rlim_t bytes) : before_(std::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &limit_);
+        const rlimit small{bytes, limit_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~FullDisk() {
+        ::setrlimit(RLIMIT_FSIZE, &limit_);
+        std::signal(SIGXFSZ, before_);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+  private:
+    void (*before_)(int);
+    rlimit limit_{};
+};
+
+TEST_F(ProgramRecordingTest, KeepsWhatDevicesSentWhenTheRunFails) {
+    Outcome outcome;
+    {
+        const FullDisk disk(100'000);
+        outcome = small_run("run", {"--frames", "300", "--set", "recording.enabled=true"});
+    }
+    EXPECT_NE(outcome.code, 0);
+    EXPECT_THAT(outcome.err, HasSubstr("what its devices sent is kept in "));
+    EXPECT_FALSE(fs::exists(root_ / "run"));
+    std::vector<fs::path> left;
+    for (const auto& entry : fs::directory_iterator(root_)) left.push_back(entry);
+    ASSERT_EQ(left.size(), 1U) << outcome.err;
+    const Outcome mended = foverig({"recover", left[0].string()});
+    EXPECT_THAT(mended.out, HasSubstr("saved ")) << mended.err;
+}
+
+TEST_F(ProgramRecordingTest, LeavesNoRecordingOfDevicesThatCannotBeOpened) {
+    const std::string file = (root_ / "a.mcap").string();
+    const Outcome outcome =
+        foverig({"record", "--seconds", "1", "--out", file, "--set",
+                 "tracking.gaze_calibration=" + (root_ / "missing.json").string()});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_FALSE(fs::exists(file));
+}
+
+TEST_F(ProgramRecordingTest, SaysWhereAFileCannotBeMade) {
+    std::ofstream(root_ / "file") << "no folder\n";
+    const Outcome outcome = record("file/a.mcap");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("--out "));
+}
+
+TEST_F(ProgramRecordingTest, RefusesToSaveNothing) {
+    ASSERT_EQ(record("a.mcap").code, 0);
+    fs::resize_file(root_ / "a.mcap", 8);
+    const Outcome outcome = foverig({"recover", (root_ / "a.mcap").string()});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("nothing to save"));
+    EXPECT_FALSE(fs::exists(root_ / "a.recovered.mcap"));
 }
 
 TEST_F(ProgramRecordingTest, ExplainsItself) {
