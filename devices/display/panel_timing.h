@@ -16,7 +16,8 @@ struct PanelTiming {
     Nanoseconds first_row_delay{27300};     ///< vsync to the first row
     Nanoseconds pixel_settle{100000};
 
-    /// The panel at a rate; below 75 Hz the firmware falls back to full persistence.
+    /// The panel at a rate, measured or nominal; below its 75 Hz mode the firmware falls back to
+    /// full persistence.
     static PanelTiming at(double refresh_hz);
 
     Nanoseconds period() const { return from_seconds(1 / refresh_hz); }

@@ -40,6 +40,13 @@ TEST(PanelTiming, TheLeftEyeLagsHalfAScan) {
     EXPECT_NEAR(right_ms, 0.0273 + 13.243 / 4 + 0.1 + 1.5, 1e-2);
 }
 
+TEST(PanelTiming, AMeasuredRateIsItsMode) {
+    for (const double hz : {74.93, 74.99, 75.0, 75.06}) {
+        EXPECT_NEAR(to_ms(PanelTiming::at(hz).persistence()), 3.0, 0.01) << hz;
+    }
+    EXPECT_NEAR(to_ms(PanelTiming::at(72.04).persistence()), 1000 / 72.04, 1e-3);
+}
+
 TEST(PanelTiming, FullPersistenceBelow75Hz) {
     for (const double hz : {60.0, 72.0}) {
         const PanelTiming timing = PanelTiming::at(hz);
