@@ -43,6 +43,7 @@ std::vector<FoundDevice> find_headsets() {
     std::vector<FoundDevice> found;
     hid_device_info* all = hid_enumerate(kDk2.vendor, kDk2.product);
     for (const hid_device_info* info = all; info != nullptr; info = info->next) {
+        if (info->path == nullptr) continue;  // its node is just going
         const std::string path = info->path;
         const bool known = !found.empty() && found.back().path == path;  // a row for each usage
         if (!known) found.push_back({path, ascii(info->serial_number), problem_of(path)});

@@ -12,6 +12,16 @@ void ask_for_realtime() {
     (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
 }
 
+/// Nothing that a search meets while the kernel takes a device away ends the program.
+Result<std::unique_ptr<Link>> try_to_open(const LiveTransport::Open& open_link) {
+    try {
+        return open_link();
+    } catch (const std::exception& problem) {
+        return Error{ErrorCode::io,
+                     std::string("the device could not be looked for: ") + problem.what()};
+    }
+}
+
 Error unplugged() {
     return {ErrorCode::closed, "the device is unplugged"};
 }
@@ -61,7 +71,7 @@ void LiveTransport::read_until_stopped(const std::stop_token& stop) {
 }
 
 void LiveTransport::reopen(const std::stop_token& stop) {
-    auto device = open_link_();
+    auto device = try_to_open(open_link_);
     if (device) {
         set_link(std::move(device).value());
         packets_.found();

@@ -22,10 +22,12 @@ std::string line_of(const fs::path& file) {
     return line;
 }
 
+/// The kernel may be taking this tree down just now: what is gone has no node.
 bool has_node(const fs::path& usb, const std::string& kind) {
     std::error_code error;
-    for (const auto& entry : fs::recursive_directory_iterator(usb, error)) {
-        if (entry.path().filename() == kind) return true;
+    fs::recursive_directory_iterator at(usb, error);
+    for (; !error && at != end(at); at.increment(error)) {  // of a range-for, ++ throws
+        if (at->path().filename() == kind) return true;
     }
     return false;
 }

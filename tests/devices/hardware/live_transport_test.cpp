@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <stdexcept>
 
 namespace foverig::hardware {
 namespace {
@@ -127,6 +128,21 @@ TEST(LiveTransport, KeepsWhatComesBackAwake) {
     const HostTime deadline = clock.now() + Nanoseconds(10'000'000'000);
     while (keep_awakes < 4 && clock.now() < deadline) (void)(*transport)->next(clock.now());
     EXPECT_GE(keep_awakes, 4);
+}
+
+TEST(LiveTransport, OutlivesASearchThatThrows) {
+    const WallClock clock;
+    std::atomic<int> opened = 0;
+    const auto open = [&]() -> Result<std::unique_ptr<Link>> {
+        if (++opened == 2) throw std::runtime_error("a folder of sysfs is gone");
+        return std::unique_ptr<Link>(new ShortLink);
+    };
+    const auto transport = LiveTransport::open(
+        clock, open, {.retry_period = Nanoseconds(1'000'000), .realtime = false});
+    ASSERT_TRUE(transport);
+    const HostTime deadline = clock.now() + Nanoseconds(10'000'000'000);
+    while (opened < 3 && clock.now() < deadline) (void)(*transport)->next(clock.now());
+    EXPECT_GE(opened, 3);
 }
 
 TEST(LiveTransport, SaysWhyItCannotOpen) {

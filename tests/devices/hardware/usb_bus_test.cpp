@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 namespace foverig::hardware {
 namespace {
@@ -74,6 +76,21 @@ TEST_F(UsbBus, SaysThatNoDriverHasIt) {
     EXPECT_EQ(devices[0].problem->code, ErrorCode::io);
     EXPECT_THAT(devices[0].problem->text, HasSubstr("plug it in again"));
     EXPECT_THAT(devices[1].problem->text, HasSubstr("driver usbhid makes no hidraw"));
+}
+
+/// What a kernel does at an unplug, while the thread that reads looks for the device. One walk of
+/// some hundred met a folder that had just gone.
+TEST_F(UsbBus, IsLookedThroughWhileTheKernelTakesADeviceAway) {
+    const fs::path interface = add("1-1", "0021", "usbhid");
+    std::atomic<bool> done = false;
+    std::jthread kernel([&] {
+        while (!done) {
+            fs::create_directories(interface / "0003:2833:0021.0001/input/capabilities/event");
+            fs::remove_all(interface / "0003:2833:0021.0001");
+        }
+    });
+    for (int i = 0; i < 5000; ++i) EXPECT_EQ(found().size(), 1U);
+    done = true;
 }
 
 TEST_F(UsbBus, IsEmptyWhereThereIsNoUsb) {
