@@ -61,25 +61,22 @@ void LiveTransport::read_until_stopped(const std::stop_token& stop) {
     if (settings_.realtime) ask_for_realtime();
     while (!stop.stop_requested()) {
         const auto device = link();
-        if (!device) {
-            reopen(stop);
-        } else if (const Status read = device->read(packets_); !read) {
-            set_link(nullptr);
-            packets_.lost(read.error());
-        }
+        const Status status = device ? device->read(packets_) : reopen();
+        if (status) continue;
+        set_link(nullptr);
+        packets_.lost(status.error());
+        // Also where it can be opened at once: a device that is not well fails again as soon.
+        std::unique_lock lock(mutex_);
+        stopping_.wait_for(lock, stop, settings_.retry_period, [] { return false; });
     }
 }
 
-void LiveTransport::reopen(const std::stop_token& stop) {
+Status LiveTransport::reopen() {
     auto device = try_to_open(open_link_);
-    if (device) {
-        set_link(std::move(device).value());
-        packets_.found();
-        return;
-    }
-    packets_.lost(device.error());
-    std::unique_lock lock(mutex_);
-    stopping_.wait_for(lock, stop, settings_.retry_period, [] { return false; });
+    if (!device) return device.error();
+    set_link(std::move(device).value());
+    packets_.found();
+    return Done{};
 }
 
 Status LiveTransport::control_set(std::uint8_t id, std::uint16_t value,

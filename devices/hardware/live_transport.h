@@ -17,7 +17,7 @@ class LiveTransport final : public Transport {
     using Open = std::function<Result<std::unique_ptr<Link>>()>;
 
     struct Settings {
-        Nanoseconds retry_period{250'000'000};  ///< between two tries to find it again
+        Nanoseconds retry_period{250'000'000};  ///< from a loss or a vain try to the next try
         bool realtime = true;                   ///< the reader runs as SCHED_FIFO where it may
         std::size_t queue_capacity = PacketQueue::kCapacity;  ///< packets
     };
@@ -41,7 +41,7 @@ class LiveTransport final : public Transport {
                   const Settings& settings);
 
     void read_until_stopped(const std::stop_token& stop);
-    void reopen(const std::stop_token& stop);
+    Status reopen();
     std::shared_ptr<Link> link() const;
     void set_link(std::shared_ptr<Link> link);
 

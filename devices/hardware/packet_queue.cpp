@@ -1,5 +1,7 @@
 #include "devices/hardware/packet_queue.h"
 
+#include <utility>
+
 namespace foverig::hardware {
 
 void PacketQueue::push(Bytes packet, Bytes rest) {
@@ -7,8 +9,7 @@ void PacketQueue::push(Bytes packet, Bytes rest) {
     BytePool::Held bytes = pool_.copy_of(packet, rest);
     {
         const std::lock_guard lock(mutex_);
-        items_.push_back(Packet{arrival, std::move(bytes)});
-        if (items_.size() > capacity_) (void)items_.pop_front();
+        add(Packet{arrival, std::move(bytes)});
     }
     // Whoever waits finds the lock free when woken.
     news_.notify_one();
@@ -17,10 +18,17 @@ void PacketQueue::push(Bytes packet, Bytes rest) {
 void PacketQueue::lost(const Error& why) {
     {
         const std::lock_guard lock(mutex_);
-        if (!gone_) items_.push_back(Fault{why});
+        if (!gone_) add(Fault{why});
         gone_ = why;
     }
     news_.notify_one();
+}
+
+void PacketQueue::add(Item item) {
+    items_.push_back(std::move(item));
+    if (items_.size() <= capacity_) return;
+    Item oldest = items_.pop_front();
+    if (auto* fault = std::get_if<Fault>(&oldest)) untold_ = std::move(*fault);
 }
 
 void PacketQueue::found() {
@@ -29,6 +37,7 @@ void PacketQueue::found() {
 }
 
 std::optional<NextPacket> PacketQueue::take(HostTime deadline) {
+    if (untold_) return *std::exchange(untold_, std::nullopt);
     if (items_.empty()) {
         if (gone_) return Fault{*gone_};
         return std::nullopt;

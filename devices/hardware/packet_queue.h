@@ -17,13 +17,14 @@ class PacketQueue {
     static constexpr std::size_t kCapacity = 16384;
 
     /// `clock` runs in real time, may be read by any thread, and outlives the queue.
-    /// Beyond `capacity` the oldest packet goes, which the source then counts as lost.
+    /// Beyond `capacity` the oldest goes: packets, which the source then counts as lost, and of
+    /// losses between them all but the newest.
     explicit PacketQueue(const Clock& clock, std::size_t capacity = kCapacity)
         : clock_(clock), capacity_(capacity) {}
 
     /// Came just now; `rest` is the packet's second part, where it has one.
     void push(Bytes packet, Bytes rest = {});
-    /// The device is gone: each loss gives at least one Fault, behind the packets before it.
+    /// The device is gone: gives at least one Fault, behind the packets before it.
     void lost(const Error& why);
     void found();
 
@@ -31,6 +32,9 @@ class PacketQueue {
     NextPacket next(HostTime deadline);
 
   private:
+    using Item = std::variant<Packet, Fault>;
+
+    void add(Item item);
     std::optional<NextPacket> take(HostTime deadline);
 
     const Clock& clock_;
@@ -38,7 +42,8 @@ class PacketQueue {
     std::mutex mutex_;
     std::condition_variable news_;
     BytePool pool_;
-    Ring<std::variant<Packet, Fault>> items_;
+    Ring<Item> items_;
+    std::optional<Fault> untold_;  // of a loss that gave way; before all items
     std::optional<Error> gone_;
 };
 

@@ -68,6 +68,30 @@ TEST(PacketQueue, KeepsTheNewestWhenNobodyAsks) {
     EXPECT_EQ(packet_of(queue.next(at_ms(0))), kSecond);
 }
 
+TEST(PacketQueue, KeepsToItsRoomHoweverOftenTheDeviceIsLost) {
+    ManualClock clock;
+    PacketQueue queue(clock, 4);
+    for (int i = 0; i < 1000; ++i) {
+        queue.push(bytes_of(kFirst));
+        queue.lost({ErrorCode::closed, "unplugged"});
+        queue.found();
+    }
+    int told = 0;
+    while (!std::holds_alternative<Timeout>(queue.next(at_ms(0)))) ++told;
+    EXPECT_LE(told, 5);
+}
+
+TEST(PacketQueue, TellsOfALossThatGaveWayToPackets) {
+    ManualClock clock;
+    PacketQueue queue(clock, 4);
+    queue.lost({ErrorCode::closed, "unplugged"});
+    queue.found();
+    for (int i = 0; i < 9; ++i) queue.push(bytes_of(kSecond));
+    EXPECT_TRUE(std::holds_alternative<Fault>(queue.next(at_ms(0))));
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(packet_of(queue.next(at_ms(0))), kSecond);
+    EXPECT_TRUE(std::holds_alternative<Timeout>(queue.next(at_ms(0))));
+}
+
 /// Gives two packets, then is gone.
 class ShortLink final : public Link {
   public:
@@ -128,6 +152,34 @@ TEST(LiveTransport, KeepsWhatComesBackAwake) {
     const HostTime deadline = clock.now() + Nanoseconds(10'000'000'000);
     while (keep_awakes < 4 && clock.now() < deadline) (void)(*transport)->next(clock.now());
     EXPECT_GE(keep_awakes, 4);
+}
+
+/// Can be opened, but fails with the first thing that is asked of it.
+class BrokenLink final : public Link {
+  public:
+    Status read(PacketQueue&) override { return Error{ErrorCode::io, "broken"}; }
+    Status control_set(std::uint8_t, std::uint16_t, Bytes) override { return Done{}; }
+    Result<std::vector<std::byte>> control_get(std::uint8_t, std::uint16_t, std::size_t) override {
+        return kSecond;
+    }
+};
+
+TEST(LiveTransport, LeavesADeviceThatFailsAtOnceInPeaceForAWhile) {
+    const WallClock clock;
+    const Nanoseconds period(5'000'000);
+    std::atomic<int> opened = 0;
+    const auto open = [&]() -> Result<std::unique_ptr<Link>> {
+        ++opened;
+        return std::unique_ptr<Link>(new BrokenLink);
+    };
+    const HostTime start = clock.now();
+    const auto transport =
+        LiveTransport::open(clock, open, {.retry_period = period, .realtime = false});
+    ASSERT_TRUE(transport);
+    while (opened < 8 && clock.now() < start + Nanoseconds(10'000'000'000))
+        (void)(*transport)->next(clock.now());
+    EXPECT_GE(opened, 8);
+    EXPECT_GE(clock.now() - start, 7 * period);
 }
 
 TEST(LiveTransport, OutlivesASearchThatThrows) {
