@@ -38,7 +38,8 @@ Result<std::unique_ptr<LiveTransport>> LiveTransport::open(const Clock& clock, O
 
 LiveTransport::LiveTransport(const Clock& clock, Open open_link, std::shared_ptr<Link> link,
                              const Settings& settings)
-    : open_link_(std::move(open_link)),
+    : clock_(clock),
+      open_link_(std::move(open_link)),
       settings_(settings),
       packets_(clock, settings.queue_capacity),
       link_(std::move(link)),
@@ -54,6 +55,7 @@ std::shared_ptr<Link> LiveTransport::link() const {
 void LiveTransport::set_link(std::shared_ptr<Link> link) {
     const std::lock_guard lock(mutex_);
     link_.swap(link);
+    patience_ = {};
     if (link_ && keep_awake_) keep_awake_(*link_);
 }
 
@@ -79,18 +81,31 @@ Status LiveTransport::reopen() {
     return Done{};
 }
 
-Status LiveTransport::control_set(std::uint8_t id, std::uint16_t value,
-                                  std::span<const std::byte> data) {
+template <class Request>
+auto LiveTransport::ask(Request request) -> decltype(request(std::declval<Link&>())) {
+    const HostTime asked = clock_.now();
     const auto device = link();
     if (!device) return unplugged();
-    return device->control_set(id, value, data);
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto spent = patience_.spent(asked)) return *spent;
+    }
+    auto answer = request(*device);
+    if (!answer) {
+        const std::lock_guard lock(mutex_);
+        if (device == link_) patience_.failed(asked, clock_.now());
+    }
+    return answer;
+}
+
+Status LiveTransport::control_set(std::uint8_t id, std::uint16_t value,
+                                  std::span<const std::byte> data) {
+    return ask([&](Link& device) { return device.control_set(id, value, data); });
 }
 
 Result<std::vector<std::byte>> LiveTransport::control_get(std::uint8_t id, std::uint16_t value,
                                                           std::size_t size) {
-    const auto device = link();
-    if (!device) return unplugged();
-    return device->control_get(id, value, size);
+    return ask([&](Link& device) { return device.control_get(id, value, size); });
 }
 
 void LiveTransport::keep_awake(std::uint8_t id, std::span<const std::byte> data,

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "devices/hardware/link.h"
+#include "devices/hardware/patience.h"
 
 namespace foverig::hardware {
 
@@ -28,7 +29,8 @@ class LiveTransport final : public Transport {
                                                        const Settings& settings);
     ~LiveTransport() override;
 
-    /// While unplugged: Fault (closed). What is asked of the device then fails in the same way.
+    /// While unplugged: Fault (closed). What is asked of the device then fails in the same way, and
+    /// at once with io where it let a request run out of time not long ago (patience.h).
     NextPacket next(HostTime deadline) override { return packets_.next(deadline); }
     Status control_set(std::uint8_t id, std::uint16_t value,
                        std::span<const std::byte> data) override;
@@ -42,15 +44,19 @@ class LiveTransport final : public Transport {
 
     void read_until_stopped(const std::stop_token& stop);
     Status reopen();
+    template <class Request>
+    auto ask(Request request) -> decltype(request(std::declval<Link&>()));
     std::shared_ptr<Link> link() const;
     void set_link(std::shared_ptr<Link> link);
 
+    const Clock& clock_;
     Open open_link_;
     Settings settings_;
     PacketQueue packets_;
     mutable std::mutex mutex_;
     std::condition_variable_any stopping_;
     std::shared_ptr<Link> link_;  // null while unplugged; a control transfer keeps its own
+    Patience patience_;           // with this link
     std::function<void(Link&)> keep_awake_;  // empty: nobody asked for it
     std::jthread reader_;                    // last: stops first
 };

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <thread>
 
 namespace foverig::hardware {
 namespace {
@@ -195,6 +196,74 @@ TEST(LiveTransport, OutlivesASearchThatThrows) {
     const HostTime deadline = clock.now() + Nanoseconds(10'000'000'000);
     while (opened < 3 && clock.now() < deadline) (void)(*transport)->next(clock.now());
     EXPECT_GE(opened, 3);
+}
+
+/// Real time, and what links say that they took of it.
+class SteppedClock final : public Clock {
+  public:
+    HostTime now() const override { return clock_.now() + Nanoseconds(stepped_.load()); }
+    void sleep_until(HostTime) override {}
+    void step(Nanoseconds by) { stepped_ += by.count(); }
+
+  private:
+    WallClock clock_;
+    std::atomic<std::int64_t> stepped_ = 0;
+};
+
+/// Streams nothing, and refuses each request after a while.
+class SulkingLink final : public Link {
+  public:
+    SulkingLink(SteppedClock& clock, Nanoseconds takes, std::atomic<int>& asked)
+        : clock_(clock), takes_(takes), asked_(asked) {}
+    Status read(PacketQueue&) override {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return Done{};
+    }
+    Status control_set(std::uint8_t, std::uint16_t, Bytes) override { return refuse(); }
+    Result<std::vector<std::byte>> control_get(std::uint8_t, std::uint16_t, std::size_t) override {
+        return refuse();
+    }
+
+  private:
+    Error refuse() {
+        ++asked_;
+        clock_.step(takes_);
+        return {ErrorCode::io, "timed out"};
+    }
+
+    SteppedClock& clock_;
+    Nanoseconds takes_;
+    std::atomic<int>& asked_;
+};
+
+/// Of 100 s in which a caller asks four times a second.
+int requests_made(Nanoseconds each_takes) {
+    SteppedClock clock;
+    std::atomic<int> asked = 0;
+    const auto open = [&]() -> Result<std::unique_ptr<Link>> {
+        return std::unique_ptr<Link>(new SulkingLink(clock, each_takes, asked));
+    };
+    const auto transport = LiveTransport::open(clock, open, {.realtime = false});
+    if (!transport) return -1;
+    const HostTime start = clock.now();
+    for (int i = 0; clock.now() < start + Nanoseconds(100'000'000'000); ++i) {
+        if (i % 2 == 0) {
+            EXPECT_FALSE((*transport)->control_get(3, 0, 16));
+        } else {
+            EXPECT_FALSE((*transport)->control_set(3, 0, {}));
+        }
+        clock.step(Nanoseconds(250'000'000));
+    }
+    return asked;
+}
+
+TEST(LiveTransport, AsksADeviceThatLetsRequestsRunOutOfTimeAtMostATwentiethOfTheTime) {
+    EXPECT_LE(requests_made(Nanoseconds(1'000'000'000)), 6);
+    EXPECT_LE(requests_made(Nanoseconds(5'000'000'000)), 2);
+}
+
+TEST(LiveTransport, AsksADeviceThatRefusesAtOnceAgain) {
+    EXPECT_GT(requests_made(Nanoseconds(1'000'000)), 380);
 }
 
 TEST(LiveTransport, SaysWhyItCannotOpen) {

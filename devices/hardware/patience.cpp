@@ -1,0 +1,19 @@
+#include "devices/hardware/patience.h"
+
+#include <fmt/format.h>
+
+namespace foverig::hardware {
+
+std::optional<Error> Patience::spent(HostTime now) const {
+    if (now >= rests_until_) return std::nullopt;
+    return Error{ErrorCode::io,
+                 fmt::format("the device let a request run out of time and is asked nothing for "
+                             "another {:.1f} s; plug it in again",
+                             to_seconds(rests_until_ - now))};
+}
+
+void Patience::failed(HostTime asked, HostTime now) {
+    if (now - asked > kLong) rests_until_ = now + kRest * (now - asked);
+}
+
+}  // namespace foverig::hardware
