@@ -6,6 +6,7 @@ namespace foverig::dk2 {
 namespace {
 
 constexpr Nanoseconds kSampleInterval{1'000'000};
+constexpr std::uint16_t kMostLost = 0x7FFF;  // of a 16-bit count: beyond it lies the past
 
 Error refused(const char* why) {
     return {ErrorCode::invalid_data, std::string("DK2 report refused: ") + why};
@@ -51,6 +52,10 @@ Result<DecodedReport> Dk2Decoder::decode1(Bytes packet) {
     const Result<InputReport1> report = InputReport1::decode(packet);
     if (!report) return report.error();
     if (!counting_) return refused("report 1 has no time, and no report 11 came before it");
+    if (missing_before(report->sample_count) > kMostLost) {
+        ++backwards_;
+        return refused("its count of samples runs backwards");
+    }
     DecodedReport out;
     out.is_report1 = true;
     out.lost = count(report->sample_count, report->num_samples);
@@ -58,6 +63,10 @@ Result<DecodedReport> Dk2Decoder::decode1(Bytes packet) {
     const Dk2Time newest = newest_ + (out.lost + report->num_samples) * kSampleInterval;
     expand(out, report->slots, report->num_samples, report->temperature_centi_c, newest);
     return out;
+}
+
+std::uint16_t Dk2Decoder::missing_before(std::uint16_t sample_count) const {
+    return static_cast<std::uint16_t>(sample_count - static_cast<std::uint16_t>(next_sequence_));
 }
 
 std::uint16_t Dk2Decoder::count(std::uint16_t sample_count, std::uint8_t num_samples) {
@@ -68,8 +77,7 @@ std::uint16_t Dk2Decoder::count(std::uint16_t sample_count, std::uint8_t num_sam
         next_sequence_ = epoch + sample_count + num_samples;
         return 0;
     }
-    const auto lost =
-        static_cast<std::uint16_t>(sample_count - static_cast<std::uint16_t>(next_sequence_));
+    const std::uint16_t lost = missing_before(sample_count);
     next_sequence_ += std::uint64_t{lost} + num_samples;
     return lost;
 }

@@ -53,13 +53,14 @@ class Dk2Decoder {
         counting_ = false;
     }
 
-    /// Reports refused because their stamp ran backwards or stood.
+    /// Reports refused because their stamp, or a report 1's count, ran backwards or stood.
     std::uint64_t backwards() const { return backwards_; }
     std::uint64_t duplicates() const { return duplicates_; }
 
   private:
     Result<DecodedReport> decode11(Bytes packet);
     Result<DecodedReport> decode1(Bytes packet);
+    std::uint16_t missing_before(std::uint16_t sample_count) const;
     std::uint16_t count(std::uint16_t sample_count, std::uint8_t num_samples);
     void expand(DecodedReport& out, std::span<const InertialSlot> slots, int num_samples,
                 std::int16_t temperature_centi_c, Dk2Time newest);

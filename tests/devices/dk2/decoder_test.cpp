@@ -122,6 +122,24 @@ TEST(Dk2Decoder, Report1ContinuesTheTimeByCount) {
     EXPECT_EQ(decoded(decoder, report(15, 1, 10050)).lost, 0);
 }
 
+TEST(Dk2Decoder, RefusesAReport1ThatCameBeforeInsteadOfLosingAMinute) {
+    Dk2Decoder decoder;
+    decoded(decoder, report(10, 1, 5000));
+    InputReport1 old;
+    old.sample_count = 11;
+    old.num_samples = 3;
+    ASSERT_TRUE(decoder.decode(old.encode()));
+    EXPECT_FALSE(decoder.decode(old.encode()));  // again
+    old.sample_count = 5;
+    EXPECT_FALSE(decoder.decode(old.encode()));  // older
+    EXPECT_EQ(decoder.backwards(), 2u);
+    old.sample_count = 14;
+    const auto next = decoder.decode(old.encode());
+    ASSERT_TRUE(next);
+    EXPECT_EQ(next->lost, 0);
+    EXPECT_EQ(us(next->samples.back().device_time), 11000);
+}
+
 TEST(Dk2Decoder, AppliesTheFactoryCalibration) {
     FactoryCalibration calibration;
     calibration.gyro_offsets = GyroOffsets({0.005, 0, 0});
