@@ -51,7 +51,8 @@ class Esp570 {
     Status write_register(std::uint8_t chip, std::uint8_t reg, std::uint16_t value);
     Result<std::uint16_t> read_register(std::uint8_t chip, std::uint8_t reg);
     Result<std::vector<std::byte>> read_eeprom(std::uint16_t address, std::size_t size);
-    /// Two words that OUVRT sends when it opens the camera; their meaning is not known.
+    /// Two words that OUVRT sends when it opens the camera; their meaning is not known, nor whether
+    /// they have 3 or 4 bytes: a transport over UVC sends as many as the camera takes.
     Status greet();
 
   private:

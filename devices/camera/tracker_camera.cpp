@@ -9,14 +9,23 @@ constexpr Nanoseconds kSetUpPause{250'000'000};  // between two tries with a cam
 
 Result<TrackerCamera> TrackerCamera::open(Transport& transport, Sync sync) {
     TrackerCamera camera(transport, sync);
-    const Status status = camera.set_up();
-    if (!status && status.error().code != ErrorCode::unsupported) return status.error();
+    if (auto status = camera.set_up(); !status) return status.error();
     return camera;
 }
 
 Status TrackerCamera::set_up() {
+    const Status status = set_up_bridge();
+    as_it_is_.reset();
+    if (status) return Done{};
+    if (status.error().code != ErrorCode::unsupported) return status.error();
+    as_it_is_ = status.error();
+    return Done{};
+}
+
+Status TrackerCamera::set_up_bridge() {
     Esp570 bridge(*transport_);
-    if (auto status = bridge.greet(); !status) return status;
+    // Nobody knows what for: a camera that will not be greeted is set up all the same.
+    (void)bridge.greet();
     if (auto status = set_up_sensor(bridge, sync_); !status) return status;
     const auto block = bridge.read_eeprom(eeprom::kLensBlock, kLensBlockSize);
     if (!block) return block.error();
@@ -31,8 +40,7 @@ Status TrackerCamera::set_up() {
 /// A camera that comes back runs freely until it is told to follow the headset.
 void TrackerCamera::set_up_again(HostTime now) {
     if (!was_gone_ || now < next_set_up_) return;
-    const Status status = set_up();
-    was_gone_ = !status && status.error().code != ErrorCode::unsupported;
+    was_gone_ = !set_up();
     if (was_gone_) {
         next_set_up_ = now + kSetUpPause;
         return;

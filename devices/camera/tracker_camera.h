@@ -29,6 +29,8 @@ class TrackerCamera {
     /// Frames in order; damaged ones are counted as rejected, missing ones as lost.
     Next<CameraFrame> next(HostTime deadline);
 
+    /// Why the camera could not be set up and is taken as it is.
+    const std::optional<Error>& as_it_is() const { return as_it_is_; }
     const Lens& lens() const { return lens_; }
     /// The lens is the camera's own and not the design's.
     bool calibrated() const { return calibrated_; }
@@ -38,6 +40,7 @@ class TrackerCamera {
     TrackerCamera(Transport& transport, Sync sync) : transport_(&transport), sync_(sync) {}
 
     Status set_up();
+    Status set_up_bridge();
     void set_up_again(HostTime now);
     std::optional<CameraFrame> take(Packet packet);
 
@@ -45,6 +48,7 @@ class TrackerCamera {
     Sync sync_;
     Lens lens_;
     bool calibrated_ = false;
+    std::optional<Error> as_it_is_;
     bool was_gone_ = false;
     HostTime next_set_up_{};  // where it was
     FrameCount count_;

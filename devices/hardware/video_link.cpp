@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -252,15 +253,30 @@ Status VideoLink::query(std::uint8_t request, std::uint8_t selector, std::uint16
     return failed("answer its extension unit");
 }
 
+/// The kernel lets nothing through that is not as long as the camera says.
+Result<std::size_t> VideoLink::length_of(std::uint8_t selector, std::uint16_t unit) {
+    const auto known = lengths_.find({selector, unit});
+    if (known != lengths_.end()) return known->second;
+    std::array<std::byte, 2> answer{};
+    if (auto status = query(UVC_GET_LEN, selector, unit, answer); !status) return status.error();
+    return lengths_[{selector, unit}] = read_u16(answer, 0);
+}
+
 Status VideoLink::control_set(std::uint8_t id, std::uint16_t value, Bytes data) {
+    const auto length = length_of(id, value);
+    if (!length) return length.error();
     std::vector<std::byte> bytes = to_vector(data);
+    bytes.resize(*length);
     return query(UVC_SET_CUR, id, value, bytes);
 }
 
 Result<std::vector<std::byte>> VideoLink::control_get(std::uint8_t id, std::uint16_t value,
                                                       std::size_t size) {
-    std::vector<std::byte> bytes(size);
+    const auto length = length_of(id, value);
+    if (!length) return length.error();
+    std::vector<std::byte> bytes(*length);
     if (auto status = query(UVC_GET_CUR, id, value, bytes); !status) return status.error();
+    bytes.resize(std::min(bytes.size(), size));
     return bytes;
 }
 

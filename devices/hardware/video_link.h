@@ -1,6 +1,7 @@
 #pragma once
 // A camera over V4L2: memory-mapped streaming of GREY, YUYV or MJPG frames, and the extension unit
 // of a UVC camera (DEVICES.md 1.8). Packets are camera/frame.h's.
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -23,9 +24,10 @@ class VideoLink final : public Link {
     ~VideoLink() override;
 
     Status read(PacketQueue& packets) override;
-    /// SET_CUR of selector `id` of the extension unit `value`.
+    /// SET_CUR of selector `id` of the extension unit `value`; `data` is cut, or filled up with
+    /// zeros, to the selector's length as the camera tells it.
     Status control_set(std::uint8_t id, std::uint16_t value, Bytes data) override;
-    /// GET_CUR of the same.
+    /// GET_CUR of the same: `size` bytes, or fewer where the selector is shorter.
     Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
                                                std::size_t size) override;
 
@@ -48,6 +50,7 @@ class VideoLink final : public Link {
     Status give_back(std::uint32_t index);
     Status query(std::uint8_t request, std::uint8_t selector, std::uint16_t unit,
                  std::span<std::byte> data);
+    Result<std::size_t> length_of(std::uint8_t selector, std::uint16_t unit);
     Error failed(const char* doing) const;
 
     std::string path_;
@@ -58,6 +61,7 @@ class VideoLink final : public Link {
     std::uint32_t format_ = 0, stride_bytes_ = 0;  // no stride: the frames' sizes differ
     std::size_t whole_bytes_ = 0;                  // of a frame, at most
     std::uint16_t width_px_ = 0, height_px_ = 0;
+    std::map<std::pair<std::uint8_t, std::uint16_t>, std::size_t> lengths_;  // that were asked for
 };
 
 }  // namespace foverig::hardware

@@ -70,6 +70,14 @@ std::vector<DeviceRecord> DeviceStreams::records() const {
     return records;
 }
 
+void DeviceStreams::tell(Notice notice) {
+    notice_ = std::move(notice);
+    const auto problem = head_.camera_as_it_is();
+    if (notice_ && problem)
+        notice_("camera is not set up: it runs freely, with the design's lens (" + problem->text +
+                ")");
+}
+
 void DeviceStreams::run_for(Nanoseconds duration) {
     const HostTime until = clock_.now() + duration;
     while (clock_.now() < until) {

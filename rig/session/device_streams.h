@@ -23,8 +23,9 @@ class DeviceStreams {
     DeviceStreams(const DeviceStreams&) = delete;
     DeviceStreams& operator=(const DeviceStreams&) = delete;
 
-    /// From now on `notice` hears of each device that is lost, and of each that is back.
-    void tell(Notice notice) { notice_ = std::move(notice); }
+    /// Hears at once of a camera that could not be set up, and from now on of each device that is
+    /// lost, and of each that is back.
+    void tell(Notice notice);
 
     /// Takes all that arrived until now in steps, for `duration`: clock maps and fusion settle.
     void run_for(Nanoseconds duration);

@@ -38,6 +38,10 @@ class HeadTracker {
     }
     const dk2::FactoryCalibration& calibration() const { return source_.calibration(); }
     DeviceRecord record() const;
+    /// Why the camera could not be set up; nothing where it was, and without one.
+    std::optional<Error> camera_as_it_is() const {
+        return camera_ ? camera_->source().as_it_is() : std::nullopt;
+    }
     /// Absent without a camera.
     std::optional<DeviceRecord> camera_record() const;
 

@@ -62,7 +62,7 @@ Status CameraRegisters::set(std::uint8_t selector, Bytes asked) {
         answer_i2c(asked);
     } else if (selector == camera::eeprom::kSelector && asked.size() == 59) {
         answer_eeprom(asked);
-    } else if (selector == kGreetingSelector && asked.size() == 4) {
+    } else if (selector == kGreetingSelector && (asked.size() == 3 || asked.size() == 4)) {
         answer_greeting(asked);
     } else {
         return Error{ErrorCode::unsupported,

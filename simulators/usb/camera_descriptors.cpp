@@ -89,8 +89,8 @@ std::uint16_t extension_size(std::uint8_t selector) {
     switch (selector) {
         case camera::i2c::kSelector:
             return static_cast<std::uint16_t>(std::tuple_size_v<camera::i2c::Buffer>);
-        case 3:  // of two words whose meaning is not known
-            return 4;
+        case 3:  // of two words whose meaning is not known; 3 or 4: the driver has to ask
+            return 3;
         case camera::eeprom::kSelector:
             return static_cast<std::uint16_t>(std::tuple_size_v<camera::eeprom::Buffer>);
         default:

@@ -27,6 +27,7 @@ class PlayedKernel final : public VideoCalls {
     bool ready = false;
     v4l2_buffer filled{};
     std::vector<std::uint8_t> unit_memory;
+    std::uint16_t unit_length = 3;  ///< of each selector
     static constexpr std::size_t kSize = 752 * 480;
     std::array<std::vector<std::byte>, 4> memory{};
     int mapped = 0, opened = 0, queued = 0;
@@ -89,6 +90,15 @@ class PlayedKernel final : public VideoCalls {
                 if (fails("xu")) return -1;
                 auto* q = static_cast<uvc_xu_control_query*>(argument);
                 EXPECT_EQ(q->unit, 4);
+                // As uvcvideo does.
+                if (q->size != (q->query == UVC_GET_LEN ? 2 : unit_length)) {
+                    errno = ENOBUFS;
+                    return -1;
+                }
+                if (q->query == UVC_GET_LEN) {
+                    q->data[0] = static_cast<std::uint8_t>(unit_length);
+                    q->data[1] = 0;
+                }
                 if (q->query == UVC_SET_CUR) unit_memory.assign(q->data, q->data + q->size);
                 if (q->query == UVC_GET_CUR) std::copy_n(unit_memory.begin(), q->size, q->data);
                 return 0;
@@ -284,6 +294,22 @@ TEST(VideoLink, TheExtensionUnitIsAskedAsUvcHasIt) {
     EXPECT_EQ(link->control_get(2, 4, 3).error().code, ErrorCode::closed);
     kernel.fail["xu"] = EIO;
     EXPECT_EQ(link->control_get(2, 4, 3).error().code, ErrorCode::io);
+}
+
+/// The length of selector 3 is not known: what the camera says holds.
+TEST(VideoLink, AsksTheExtensionUnitForAsManyBytesAsItHas) {
+    for (const std::uint16_t length : std::initializer_list<std::uint16_t>{3, 4, 6}) {
+        PlayedKernel kernel;
+        kernel.unit_length = length;
+        const auto link = opened(kernel);
+        const std::vector<std::byte> asked{std::byte{0x80}, std::byte{0x14}, {}, {}};
+        EXPECT_TRUE(link->control_set(3, 4, asked)) << length;
+        EXPECT_EQ(kernel.unit_memory.size(), length);
+        const auto answer = link->control_get(3, 4, asked.size());
+        ASSERT_TRUE(answer) << length;
+        EXPECT_EQ(answer->size(), std::min<std::size_t>(length, 4));
+        EXPECT_EQ((*answer)[1], std::byte{0x14});
+    }
 }
 
 /// MJPG's frames differ in size, and have no rows.

@@ -107,6 +107,13 @@ TEST_F(CameraOnUsb, ExtensionUnitIsTheModels) {
     EXPECT_EQ(device.sets[0].value, 4);
 }
 
+// DEVICES.md 1.8.1: "3-4". The shorter one finds a driver that does not ask.
+TEST_F(CameraOnUsb, TheUnknownSelectorHasThreeBytes) {
+    EXPECT_EQ(control.answer(
+                  {.type = 0xA1, .request = 0x85, .value = 0x0300, .index = kUnit4, .length = 2}),
+              bytes_of("0300"));
+}
+
 TEST_F(CameraOnUsb, StallsWhatIsNotThereAndSaysWhy) {
     EXPECT_FALSE(control.answer(
         {.type = 0xA1, .request = 0x85, .value = 0x0700, .index = kUnit4, .length = 2}));
