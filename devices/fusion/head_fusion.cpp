@@ -23,6 +23,15 @@ dvec3 rotation_between(const dvec3& from, const dvec3& to) {
 
 }  // namespace
 
+HeadFusion::HeadFusion(const HeadFusionConfig& config)
+    : config_(config),
+      bias_(config.bias),
+      gains_({.end_gain_per_s = config.tilt_gain_per_s,
+              .offset_sigma_rad_s = config.offset_sigma_rad_s,
+              .walk_rad_s_sqrt_s = config.bias.walk_rad_s_sqrt_s,
+              .response_s = config.accel_time_constant_s,
+              .learns_offset = config.auto_bias}) {}
+
 void HeadFusion::add(const ImuSample& sample) {
     if (!started_) {
         start(sample);
@@ -36,14 +45,17 @@ void HeadFusion::add(const ImuSample& sample) {
         // Where the head went meanwhile is unknown; tilt is found again fast, yaw is kept.
         lost_track_ = true;
         gravity_s_ = 0;
-        sensor_velocity_world_m_s_.reset();
+        gains_.forget_tilt();
+        felt_.reset();
         recent_.clear();
     } else {
         integrate(sample, dt_s);
     }
     if (config_.auto_bias &&
-        bias_.add(sample.gyro_rad_s, sample.accel_m_s2, sample.temperature_c, dt_s))
+        bias_.add(sample.gyro_rad_s, sample.accel_m_s2, sample.temperature_c, dt_s)) {
         offset_by_gravity_rad_s_ = dvec3(0);
+        gains_.offset_told();
+    }
     rate_rad_s_ = sample.gyro_rad_s - offset_rad_s(sample.temperature_c);
     newest_ = sample;
     remember_rate(sample);
@@ -73,13 +85,16 @@ bool HeadFusion::near_gravity(const dvec3& force_m_s2) const {
 }
 
 // The sensor sits on a lever from the neck, and a turning head pulls it along. The mean of that
-// acceleration over any time is the change of its velocity, which the gyro tells without delay.
+// acceleration over any time is the change of its velocity, which the gyro tells without delay; so
+// the force is the mean over that time too.
 void HeadFusion::sense_gravity(const dvec3& accel_m_s2, double dt_s) {
     const dvec3 lever_m = config_.eyes_from_neck_m + config_.sensor_from_eyes_m;
-    const dvec3 velocity_m_s = world_from_head_ * glm::cross(rate_rad_s_, lever_m);
-    const dvec3 gained_m_s = velocity_m_s - sensor_velocity_world_m_s_.value_or(velocity_m_s);
-    sensor_velocity_world_m_s_ = velocity_m_s;
-    const dvec3 force_m_s2 = world_from_head_ * accel_m_s2 - gained_m_s / dt_s;
+    const Felt now{world_from_head_ * accel_m_s2,
+                   world_from_head_ * glm::cross(rate_rad_s_, lever_m)};
+    const Felt before = felt_.value_or(now);
+    felt_ = now;
+    const dvec3 force_m_s2 = 0.5 * (before.force_m_s2 + now.force_m_s2) -
+                             (now.velocity_m_s - before.velocity_m_s) / dt_s;
     gravity_s_ += dt_s;
     // At first a plain mean.
     const double weight =
@@ -90,33 +105,25 @@ void HeadFusion::sense_gravity(const dvec3& accel_m_s2, double dt_s) {
 void HeadFusion::correct_tilt(const dvec3& accel_m_s2, double dt_s) {
     if (!std::isfinite(glm::length(accel_m_s2))) return;
     sense_gravity(accel_m_s2, dt_s);
+    gains_.pass(dt_s);
     // The mean is judged and not each sample: taking only those samples of a turn that happen to be
     // as long as gravity would tilt the mean.
     if (!near_gravity(gravity_world_m_s2_)) return;
-    const bool still =
-        near_gravity(accel_m_s2) && glm::length(rate_rad_s_) < config_.max_still_rate_rad_s;
-    // The first samples of a head at rest say where up is; later it is a pull, strong at first.
-    const double gain_per_s =
-        std::max(config_.tilt_gain_per_s, 1 / (gravity_s_ + config_.accel_time_constant_s));
+    const double rate_rad_s = glm::length(rate_rad_s_);
+    const bool still = near_gravity(accel_m_s2) && rate_rad_s < config_.max_still_rate_rad_s;
+    // The first samples of a head at rest say where up is; later it is a pull, strong at first. A
+    // fast turn's own forces pull too.
     const bool first = still && gravity_s_ <= config_.accel_time_constant_s;
-    const double share = first ? 1.0 : std::min(1.0, gain_per_s * dt_s);
     const dvec3 error = rotation_between(glm::normalize(gravity_world_m_s2_), kUp);
-    learn_from_tilt(error, dt_s);
-    const dquat step = exp_map(error * share);
+    const TiltGains::Shares shares =
+        first ? gains_.believe()
+              : gains_.pull(error, dt_s, rate_rad_s <= config_.max_teaching_rate_rad_s);
+    offset_by_gravity_rad_s_ -= shares.offset_per_s * (glm::conjugate(world_from_head_) * error);
+    const dquat step = exp_map(error * shares.tilt);
     world_from_head_ = glm::normalize(step * world_from_head_);
     gravity_world_m_s2_ = step * gravity_world_m_s2_;
-    sensor_velocity_world_m_s_ = step * *sensor_velocity_world_m_s_;
+    felt_ = Felt{step * felt_->force_m_s2, step * felt_->velocity_m_s};
     if (gravity_s_ > 1) lost_track_ = false;
-}
-
-// Critically damped with the pull. Not before the pull has found where up is: what it takes off
-// until then is the start's error, not the gyro's. Nor from a fast turn, whose own forces pull too.
-void HeadFusion::learn_from_tilt(const dvec3& error_rad, double dt_s) {
-    const double gain_per_s = config_.tilt_gain_per_s;
-    if (!config_.auto_bias || gravity_s_ * gain_per_s < 1) return;
-    if (glm::length(rate_rad_s_) > config_.max_teaching_rate_rad_s) return;
-    offset_by_gravity_rad_s_ -=
-        0.25 * gain_per_s * gain_per_s * dt_s * (glm::conjugate(world_from_head_) * error_rad);
 }
 
 void HeadFusion::remember_rate(const ImuSample& sample) {

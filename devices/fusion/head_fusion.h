@@ -1,13 +1,14 @@
 #pragma once
 // Orientation from gyro integration with a slow pull towards gravity, and a neck for position
 // (DEVICES.md 2.1, 3.1; LaValle et al. 2014). What the pull must go on making good is the gyro's
-// offset, as far as gravity sees it (the integral of Mahony et al. 2008): a head that never rests
-// teaches it too. Yaw has no reference and keeps what the gyro says.
+// offset, as far as gravity sees it: a head that never rests teaches it too (TiltGains). Yaw has no
+// reference and keeps what the gyro says.
 #include <deque>
 #include <optional>
 
 #include "devices/fusion/gyro_bias.h"
 #include "devices/fusion/pose.h"
+#include "devices/fusion/tilt_gains.h"
 #include "devices/head_geometry.h"
 #include "devices/imu_sample.h"
 
@@ -17,7 +18,8 @@ enum class Predictor { none, constant_rate, constant_acceleration };
 
 struct HeadFusionConfig {
     double initial_yaw_rad = 0;           ///< about y, of the first sample
-    double tilt_gain_per_s = 0.25;        ///< LibOVR's; larger in the first seconds
+    double tilt_gain_per_s = 0.25;        ///< LibOVR's; larger while the offset is not known
+    double offset_sigma_rad_s = 3.5e-3;   ///< of the gyro at the start, as TiltGainsConfig's
     double max_gravity_error_m_s2 = 0.8;  ///< OpenHMD's: the head is accelerating beyond it
     double max_still_rate_rad_s = 0.1;    ///< OpenHMD's and Monado's: the head turns beyond it
     /// Own choice: at it a lever of 0.1 m pulls by 0.1 m/s2, 0.6 degrees of gravity; a faster turn
@@ -35,8 +37,7 @@ struct HeadFusionConfig {
 
 class HeadFusion {
   public:
-    explicit HeadFusion(const HeadFusionConfig& config = {})
-        : config_(config), bias_(config.bias) {}
+    explicit HeadFusion(const HeadFusionConfig& config = {});
 
     /// In order; a sample that is not later than the last in device time is ignored.
     void add(const ImuSample& sample);
@@ -53,7 +54,6 @@ class HeadFusion {
     void integrate(const ImuSample& sample, double dt_s);
     void sense_gravity(const dvec3& accel_m_s2, double dt_s);
     void correct_tilt(const dvec3& accel_m_s2, double dt_s);
-    void learn_from_tilt(const dvec3& error_rad, double dt_s);
     dvec3 offset_rad_s(double temperature_c) const {
         return bias_.offset_rad_s(temperature_c) + offset_by_gravity_rad_s_;
     }
@@ -65,9 +65,14 @@ class HeadFusion {
         Dk2Time time;
         dvec3 rad_s;
     };
+    /// World: what the sensor felt, and its velocity by the head's turning alone.
+    struct Felt {
+        dvec3 force_m_s2, velocity_m_s;
+    };
 
     HeadFusionConfig config_;
     GyroBias bias_;
+    TiltGains gains_;
     bool started_ = false;
     bool lost_track_ = false;  ///< a gap too long to integrate was passed
     ImuSample newest_;
@@ -76,7 +81,7 @@ class HeadFusion {
     dquat world_from_head_{1, 0, 0, 0};
     dvec3 gravity_world_m_s2_{0};  ///< low-passed specific force of a sensor on no lever
     double gravity_s_ = 0;         ///< how long gravity has been sensed
-    std::optional<dvec3> sensor_velocity_world_m_s_;  ///< by the head's turning alone
+    std::optional<Felt> felt_;     ///< at the newest sample
     std::deque<Rate> recent_;
 };
 
