@@ -5,23 +5,32 @@
 namespace foverig {
 namespace {
 
-Inertial sensed_by(const ImuSample& sample) {
-    return {.gyro_rad_s = sample.gyro_rad_s, .accel_m_s2 = sample.accel_m_s2};
+Inertial sensed_by(const ImuSample& sample, const dvec3& bias_by_warmth_rad_s) {
+    return {.gyro_rad_s = sample.gyro_rad_s,
+            .accel_m_s2 = sample.accel_m_s2,
+            .bias_by_warmth_rad_s = bias_by_warmth_rad_s};
+}
+
+Inertial mix(const Inertial& a, const Inertial& b, double share) {
+    return {
+        .gyro_rad_s = glm::mix(a.gyro_rad_s, b.gyro_rad_s, share),
+        .accel_m_s2 = glm::mix(a.accel_m_s2, b.accel_m_s2, share),
+        .bias_by_warmth_rad_s = glm::mix(a.bias_by_warmth_rad_s, b.bias_by_warmth_rad_s, share)};
 }
 
 }  // namespace
 
 void DelayedFilter::start(const ImuSample& sample, const RigidPose& world_from_imu,
-                          const dvec3& velocity_m_s) {
+                          const dvec3& velocity_m_s, const dvec3& bias_by_warmth_rad_s) {
     steps_.clear();
-    steps_.push_back({sample.device_time, sensed_by(sample),
+    steps_.push_back({sample.device_time, sensed_by(sample, bias_by_warmth_rad_s),
                       InertialFilter::start(world_from_imu, velocity_m_s)});
 }
 
-void DelayedFilter::add(const ImuSample& sample) {
+void DelayedFilter::add(const ImuSample& sample, const dvec3& bias_by_warmth_rad_s) {
     const Step& before = steps_.back();
     if (sample.device_time <= before.time) return;
-    Step next{sample.device_time, sensed_by(sample), before.state};
+    Step next{sample.device_time, sensed_by(sample, bias_by_warmth_rad_s), before.state};
     InertialFilter::advance(next.state, before.sensed, next.sensed,
                             to_seconds(next.time - before.time), config_.noise);
     steps_.push_back(std::move(next));
@@ -46,10 +55,7 @@ std::size_t DelayedFilter::first_after(Dk2Time time) const {
 DelayedFilter::Step DelayedFilter::between(const Step& before, const Step& after,
                                            Dk2Time time) const {
     const double share = to_seconds(time - before.time) / to_seconds(after.time - before.time);
-    Step middle{time,
-                {.gyro_rad_s = glm::mix(before.sensed.gyro_rad_s, after.sensed.gyro_rad_s, share),
-                 .accel_m_s2 = glm::mix(before.sensed.accel_m_s2, after.sensed.accel_m_s2, share)},
-                before.state};
+    Step middle{time, mix(before.sensed, after.sensed, share), before.state};
     if (time > before.time) {
         InertialFilter::advance(middle.state, before.sensed, middle.sensed,
                                 to_seconds(time - before.time), config_.noise);

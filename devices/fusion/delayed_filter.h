@@ -20,12 +20,13 @@ class DelayedFilter {
     explicit DelayedFilter(const DelayedFilterConfig& config = {}) : config_(config) {}
 
     bool started() const { return !steps_.empty(); }
-    /// Begins at this pose and sample.
-    void start(const ImuSample& sample, const RigidPose& world_from_imu, const dvec3& velocity_m_s);
+    /// Begins at this pose and sample; `bias_by_warmth_rad_s` as Inertial's.
+    void start(const ImuSample& sample, const RigidPose& world_from_imu, const dvec3& velocity_m_s,
+               const dvec3& bias_by_warmth_rad_s = dvec3(0));
     void stop() { steps_.clear(); }
 
     /// In order, once started.
-    void add(const ImuSample& sample);
+    void add(const ImuSample& sample, const dvec3& bias_by_warmth_rad_s = dvec3(0));
     /// A point `lever_m` from the sensor stands still now, but for `sigma_m_s`.
     void add_rest(const dvec3& lever_m, double sigma_m_s);
 

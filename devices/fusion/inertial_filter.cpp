@@ -77,7 +77,9 @@ State InertialFilter::start(const RigidPose& world_from_body, const dvec3& veloc
 void InertialFilter::advance(State& s, const Inertial& before, const Inertial& after, double dt_s,
                              const InertialNoise& noise) {
     const dvec3 rate_before = before.gyro_rad_s - s.gyro_bias_rad_s;
-    const dvec3 rate_after = after.gyro_rad_s - s.gyro_bias_rad_s;
+    const dvec3 bias_after =
+        s.gyro_bias_rad_s + after.bias_by_warmth_rad_s - before.bias_by_warmth_rad_s;
+    const dvec3 rate_after = after.gyro_rad_s - bias_after;
     const dvec3 turn_rad = rotation_of_rates(rate_before, rate_after, dt_s);
     const dquat turned = glm::normalize(s.world_from_body * exp_map(turn_rad));
     const dvec3 force_before = before.accel_m_s2 - s.accel_bias_m_s2;
@@ -110,6 +112,7 @@ void InertialFilter::advance(State& s, const Inertial& before, const Inertial& a
     s.position_m += dt_s * s.velocity_m_s + 0.5 * dt_s * dt_s * acceleration_m_s2;
     s.velocity_m_s += dt_s * acceleration_m_s2;
     s.world_from_body = turned;
+    s.gyro_bias_rad_s = bias_after;
 }
 
 double InertialFilter::measure_pose(State& state, const RigidPose& measured,

@@ -22,6 +22,9 @@ struct InertialNoise {
 struct Inertial {
     dvec3 gyro_rad_s{0};
     dvec3 accel_m_s2{0};
+    /// What the chip's warmth has added to the gyro's bias, as far as another knows, since any
+    /// instant that all have in common: only differences count.
+    dvec3 bias_by_warmth_rad_s{0};
 };
 
 class InertialFilter {

@@ -29,13 +29,17 @@ void TrackedHead::add(const ImuSample& sample) {
     const Nanoseconds step = sample.device_time - newest_.device_time;
     inertial_.add(sample);
     const bool first = newest_.device_time == Dk2Time{};
+    if (!first) {
+        bias_by_warmth_rad_s_ +=
+            (sample.temperature_c - newest_.temperature_c) * inertial_.bias().slope_rad_s_c();
+    }
     newest_ = sample;
     if (!filter_.started() || first || step <= Nanoseconds{0}) return;
     if (step > config_.inertial.max_gap) {
         filter_.stop();  // where the head went is unknown: the next fix says
         return;
     }
-    filter_.add(sample);
+    filter_.add(sample, bias_by_warmth_rad_s_);
     const double faded = std::exp(-to_seconds(step) / config_.smoothing_s);
     turn_left_rad_ *= faded;
     way_left_m_ *= faded;
@@ -77,7 +81,8 @@ void TrackedHead::begin(const PoseFix& fix) {
     const RigidPose before = shown();
     const RigidPose since =
         sensor_by_inertia(fix.taken).inverse() * sensor_by_inertia(newest_.host_time);
-    filter_.start(newest_, *world_from_camera_ * fix.camera_from_imu * since, dvec3(0));
+    filter_.start(newest_, *world_from_camera_ * fix.camera_from_imu * since, dvec3(0),
+                  bias_by_warmth_rad_s_);
     show_as_before(before);
     unlikely_in_row_ = 0;
     last_fix_ = fix.taken_device;

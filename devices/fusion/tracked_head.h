@@ -6,7 +6,8 @@
 // gives two angles, the start the third, the neck the place). From then on an inertial filter is
 // corrected by each fix at its own instant. Without fixes for a while, a neck that stands still
 // keeps velocity and position from running away. What a correction changes is shown over a short
-// time, not as a jump.
+// time, not as a jump. Between fixes the gyro's bias moves on with the chip's temperature, by the
+// slope that HeadFusion learns.
 #include <vector>
 
 #include "devices/fusion/delayed_filter.h"
@@ -70,6 +71,7 @@ class TrackedHead {
     HeadFusion inertial_;
     DelayedFilter filter_;
     ImuSample newest_;
+    dvec3 bias_by_warmth_rad_s_{0};  // since the first sample, by the slope that HeadFusion learns
     std::vector<RigidPose> places_;  // of the camera, by one fix each, until there are enough
     std::optional<RigidPose> world_from_camera_;
     Dk2Time last_fix_{};
