@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 
+#include "devices/hardware/first_line.h"
 #include "devices/hardware/holders.h"
 #include "devices/hardware/usb_bus.h"
 
@@ -16,14 +16,6 @@ namespace foverig::hardware {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The first line; empty where there is no such file.
-std::string line_of(const fs::path& file) {
-    std::ifstream in(file);
-    std::string line;
-    std::getline(in, line);
-    return line;
-}
 
 double number_of(const std::string& text) {
     double value = 0;
@@ -55,17 +47,18 @@ std::vector<FoundCamera> find_cameras(const std::string& sysfs, const std::strin
     std::sort(nodes.begin(), nodes.end());
     for (const fs::path& node : nodes) {
         if (!node.filename().string().starts_with("video")) continue;
-        if (line_of(node / "index") != "0") continue;  // 1: the camera's metadata
+        if (first_line_of(node / "index") != "0") continue;  // 1: the camera's metadata
         const fs::path usb = fs::canonical(node / "device", error).parent_path();
-        const auto id = usb_id_of(line_of(usb / "idVendor") + ":" + line_of(usb / "idProduct"));
+        const auto id =
+            usb_id_of(first_line_of(usb / "idVendor") + ":" + first_line_of(usb / "idProduct"));
         if (!id) continue;
         FoundDevice device{.path = (fs::path(dev) / node.filename()).string(),
-                           .serial = line_of(usb / "serial"),
+                           .serial = first_line_of(usb / "serial"),
                            .problem = {}};
         device.problem = opening_problem(device.path);
         if (!device.problem) device.problem = busy_problem(device.path, *calls);
-        found.push_back(
-            {std::move(device), *id, line_of(node / "name"), number_of(line_of(usb / "speed"))});
+        found.push_back({std::move(device), *id, first_line_of(node / "name"),
+                         number_of(first_line_of(usb / "speed"))});
     }
     return found;
 }

@@ -7,8 +7,9 @@
 
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <optional>
+
+#include "devices/hardware/first_line.h"
 
 namespace foverig::hardware {
 namespace {
@@ -35,9 +36,7 @@ bool has_open(const fs::path& process, const struct stat& node) {
 }
 
 std::string name_of(const fs::path& process) {
-    std::ifstream in(process / "comm");
-    std::string name;
-    std::getline(in, name);
+    const std::string name = first_line_of(process / "comm");
     return name.empty() ? "a program" : name;
 }
 

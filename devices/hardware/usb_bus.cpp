@@ -5,22 +5,14 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
+#include "devices/hardware/first_line.h"
 #include "devices/hardware/holders.h"
 
 namespace foverig::hardware {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The first line; empty where there is no such file.
-std::string line_of(const fs::path& file) {
-    std::ifstream in(file);
-    std::string line;
-    std::getline(in, line);
-    return line;
-}
 
 /// The kernel may be taking this tree down just now: what is gone has no node.
 bool has_node(const fs::path& usb, const std::string& kind) {
@@ -40,8 +32,8 @@ std::string driver_of(const fs::path& usb) {
 }
 
 std::string node_of(const fs::path& usb) {
-    return fmt::format("/dev/bus/usb/{:03}/{:03}", std::atoi(line_of(usb / "busnum").c_str()),
-                       std::atoi(line_of(usb / "devnum").c_str()));
+    return fmt::format("/dev/bus/usb/{:03}/{:03}", std::atoi(first_line_of(usb / "busnum").c_str()),
+                       std::atoi(first_line_of(usb / "devnum").c_str()));
 }
 
 Error problem_of(const fs::path& usb, const std::string& node, const std::string& kind) {
@@ -71,7 +63,8 @@ std::vector<FoundDevice> find_without_node(const UsbId& id, const std::string& k
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(sysfs, error)) {
         const fs::path usb = fs::canonical(entry.path(), error);
-        if (usb_id_of(line_of(usb / "idVendor") + ":" + line_of(usb / "idProduct")) == id)
+        if (usb_id_of(first_line_of(usb / "idVendor") + ":" + first_line_of(usb / "idProduct")) ==
+            id)
             devices.push_back(usb);
     }
     std::sort(devices.begin(), devices.end());
@@ -79,7 +72,7 @@ std::vector<FoundDevice> find_without_node(const UsbId& id, const std::string& k
     for (const fs::path& usb : devices) {
         if (has_node(usb, kind)) continue;
         const std::string node = node_of(usb);
-        found.push_back({node, line_of(usb / "serial"), problem_of(usb, node, kind)});
+        found.push_back({node, first_line_of(usb / "serial"), problem_of(usb, node, kind)});
     }
     return found;
 }

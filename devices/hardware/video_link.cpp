@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "devices/camera/frame.h"
+#include "devices/hardware/holders.h"
 
 namespace foverig::hardware {
 namespace {
@@ -44,8 +45,7 @@ Error VideoLink::failed(const char* doing) const {
     const int reason = errno;
     switch (reason) {
         case EBUSY:
-            return {ErrorCode::busy,
-                    fmt::format("{} is held by another program; end that one first", path_)};
+            return busy(path_);
         case EACCES:
         case EPERM:
             return forbidden(path_);

@@ -9,10 +9,13 @@
 #include <sys/mman.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <map>
 
 #include "devices/camera/frame.h"
+#include "tests/devices/hardware/other_program.h"
 
 namespace foverig::hardware {
 namespace {
@@ -249,6 +252,26 @@ TEST(VideoLink, EachFailureOfOpeningIsToldApartAndLeavesNothingOpen) {
         EXPECT_EQ(kernel.opened, 0) << c.call;
         EXPECT_EQ(kernel.mapped, 0) << c.call;
     }
+}
+
+TEST(VideoLink, WhoHoldsTheCameraIsNamed) {
+    const std::string node = testing::TempDir() + "foverig_video_" + std::to_string(getpid());
+    std::ofstream(node) << "x";
+    {
+        const test::OtherProgram other(node);
+        for (const char* call : {"s_fmt", "reqbufs", "streamon"}) {
+            PlayedKernel kernel;
+            kernel.fail[call] = EBUSY;
+            const auto link = VideoLink::open({.path = node, .serial = "", .problem = {}},
+                                              tracker_modes(), borrowed(kernel));
+            ASSERT_FALSE(link) << call;
+            EXPECT_EQ(link.error().code, ErrorCode::busy);
+            EXPECT_NE(link.error().text.find(fmt::format("(pid {})", other.pid())),
+                      std::string::npos)
+                << link.error().text;
+        }
+    }
+    std::remove(node.c_str());
 }
 
 TEST(VideoLink, ARateThatIsRefusedAndANodeOfMetadata) {
