@@ -131,7 +131,7 @@ void BM_CacheUpdate(benchmark::State& state) {
                                                   kEyeWidth_px};
     const auto first = MeshFixture::pixel(kTileX_px, kTileY_px);
     fixture.to().colour[first] = pack_half4({0.75F, 0.5F, 0.25F, 1.0F});
-    fixture.to().info[first] = pack_info(1.0F, 1U);
+    fixture.to().info[first] = touched_in(1U);
     kernel(0);
     // One old sample and one new one: their mean, worth two.
     const vec4 blended = unpack_half4(fixture.to().colour[first]);

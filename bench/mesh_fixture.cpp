@@ -55,7 +55,7 @@ MeshFixture::MeshFixture(float shift_m)
         const auto at = static_cast<std::uint32_t>(i);
         from_colour_[i] = pack_half4({unit_float(hash32(at, 1U)), unit_float(hash32(at, 2U)),
                                       unit_float(hash32(at, 3U)), 2.0F});
-        from_info_[i] = pack_info(0.5F, 1U);
+        from_info_[i] = touched_in(1U);
     }
     const int per_row = (kColumns - 1 + kBlockCells - 1) / kBlockCells;
     const auto side = static_cast<std::size_t>(per_row * (kRows - 1) + 7) / 8 * 8;

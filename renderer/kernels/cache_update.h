@@ -38,7 +38,7 @@ struct CacheUpdate {
             !kOversampling && (samples.flags[i] & (kFovealSample | kResampled)) != 0;
         if (direct || !agrees) {
             to.colour[target] = pack_half4(vec4(vec3(sample), 1.0F));
-            to.info[target] = pack_info(1.0F, frame);
+            to.info[target] = touched_in(frame);
             if constexpr (kLightBuffer) to.light[target] = samples.light[i];
             return;
         }
@@ -58,7 +58,7 @@ struct CacheUpdate {
         to.colour[target] =
             pack_half4(vec4(alpha * representable(colour) + (1.0F - alpha) * vec3(cached),
                             accumulated_samples(cached.w, alpha)));
-        to.info[target] = pack_info(alpha, frame);
+        to.info[target] = touched_in(frame);
     }
 
     /// 1/m: depths beyond half's range count as equally far.

@@ -28,7 +28,7 @@ struct MergeSupport {
                 static_cast<std::size_t>(x0 + x);
             to.colour[target] =
                 pack_half4(vec4(vec3(lookup(lookup.support.colour, x0 + x, y0 + y)), 0.0F));
-            to.info[target] = pack_info(0.0F, frame);
+            to.info[target] = touched_in(frame);
             if constexpr (kLightBuffer)
                 to.light[target] = pack_half4(lookup(lookup.support.light, x0 + x, y0 + y));
         }

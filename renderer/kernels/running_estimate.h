@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "renderer/half.h"
 #include "renderer/math.h"
 
 namespace foverig {
@@ -44,17 +43,12 @@ RIG_INLINE float accumulated_samples(float rho, float alpha) {
     return rho > 0.0F && rest > 0.0F ? 1.0F / (alpha * alpha + rest * rest / rho) : 1.0F;
 }
 
-/// Cache info of a pixel beside its colour (whose w holds rho): alpha as half, and the frame it was
-/// last touched, modulo 2^16.
-using CacheInfo = std::uint32_t;
+/// Cache info of a pixel beside its colour (whose w holds rho): the frame it was last touched,
+/// modulo 2^16. The paper also keeps alpha there, which nothing reads again once rho is known.
+using CacheInfo = std::uint16_t;
 
-RIG_INLINE CacheInfo pack_info(float alpha, std::uint32_t frame) {
-    return static_cast<CacheInfo>((pack_half4(vec4(alpha, 0.0F, 0.0F, 0.0F)).bits & 0xFFFFU)
-                                  << 16U) |
-           (frame & 0xFFFFU);
-}
-RIG_INLINE float info_alpha(CacheInfo info) {
-    return unpack_half4({info >> 16U}).x;
+RIG_INLINE CacheInfo touched_in(std::uint32_t frame) {
+    return static_cast<CacheInfo>(frame & 0xFFFFU);
 }
 
 /// Frames since the pixel was touched, at least 1.

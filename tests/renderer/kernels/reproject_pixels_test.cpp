@@ -16,7 +16,7 @@ namespace {
 constexpr int kWidth = 150;  // tiles of 64, 64 and 22 by 64 and 21 pixels
 constexpr int kHeight = 85;
 constexpr Half4 kOld{0x1234567890ABCDEFULL};
-constexpr CacheInfo kOldInfo = 0xDEADBEEFU;
+constexpr CacheInfo kOldInfo = 0xBEEFU;
 
 std::size_t at(int x, int y) {
     return static_cast<std::size_t>(y * kWidth + x);
@@ -38,7 +38,7 @@ History strewn() {
     for (std::uint32_t i = 0; i < kWidth * kHeight; ++i) {
         const std::uint64_t bits = hash32(i, 1U) | std::uint64_t{hash32(i, 2U)} << 32U;
         h.colour[i] = {bits & 0xBFFFBFFFBFFFBFFFULL};  // no exponent of infinity or NaN
-        h.info[i] = hash32(i, 3U);
+        h.info[i] = touched_in(hash32(i, 3U));
         h.light[i] = {(bits ^ 0x0F0F0F0F0F0F0F0FULL) & 0xBFFFBFFFBFFFBFFFULL};
     }
     return h;

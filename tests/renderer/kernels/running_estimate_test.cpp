@@ -83,17 +83,12 @@ TEST(RunningEstimate, OfIndependentSamplesHasTheVarianceThatRhoSays) {
     }
 }
 
-TEST(CacheInfo, KeepsAlphaAsHalfAndTheFrame) {
-    for (const float alpha : {0.0F, 0.05F, 0.1F, 0.333F, 1.0F})
-        EXPECT_NEAR(info_alpha(pack_info(alpha, 0xABCDU)), alpha, alpha * 0x1.0p-11F);
-    EXPECT_EQ(age_frames(pack_info(0.5F, 100U), 103U), 3U);
-}
-
 TEST(CacheInfo, AgeIsAtLeastOneAndWrapsWithTheFrameCounter) {
-    EXPECT_EQ(age_frames(pack_info(1.0F, 7U), 7U), 1U);
-    EXPECT_EQ(age_frames(pack_info(1.0F, 0xFFFFU), 0x10000U), 1U);
-    EXPECT_EQ(age_frames(pack_info(1.0F, 0xFFFEU), 0x10003U), 5U);
-    EXPECT_EQ(age_frames(pack_info(1.0F, 0xFFFFFFFFU), 4U), 5U);
+    EXPECT_EQ(age_frames(touched_in(100U), 103U), 3U);
+    EXPECT_EQ(age_frames(touched_in(7U), 7U), 1U);
+    EXPECT_EQ(age_frames(touched_in(0xFFFFU), 0x10000U), 1U);
+    EXPECT_EQ(age_frames(touched_in(0xFFFEU), 0x10003U), 5U);
+    EXPECT_EQ(age_frames(touched_in(0xFFFFFFFFU), 4U), 5U);
 }
 
 }  // namespace
