@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "rig/report/svg.h"
+#include "rig/sweep/error_chart.h"
 
 namespace foverig::sweep {
 namespace {
@@ -19,7 +19,6 @@ constexpr double kWidth = 1000.0, kHeight = 560.0;
 constexpr double kLeft = 60.0, kRight = 984.0;
 constexpr double kTop = 34.0, kPanel = 200.0, kGap = 46.0;  // two panels, one above the other
 constexpr double kBeside = 7.0;  // theirs stand so far left of the middle, ours right
-constexpr double kCap = 4.0;     // half the end of an interval's line
 constexpr double kMark = 4.5;
 constexpr double kLine = 15.0;  // of text
 
@@ -63,14 +62,6 @@ double high_of(const json& ratio) {
     return high;
 }
 
-void draw_interval(Svg& svg, double x, const Scale& y, double low, double high, const char* style) {
-    const double bottom = y(std::max(0.0, low));
-    const double top = y(std::min(y.high, high));
-    svg.line({x, bottom}, {x, top}, style);
-    svg.line({x - kCap, bottom}, {x + kCap, bottom}, style);
-    svg.line({x - kCap, top}, {x + kCap, top}, style);
-}
-
 /// Of a speed-up: what the reading of the two plots leaves open.
 double reading_error(const json& row, const json& paper) {
     double relative = 0.0;
@@ -93,16 +84,16 @@ void draw_marks(Svg& svg, const json& paper, const Place& place, const Scale& y,
         const double theirs = ratio.at("theirs").get<double>();
         const double error = of == std::string("speed_up") ? reading_error(*place.row, paper) : 0.0;
         if (error > 0.0)
-            draw_interval(svg, place.x - kBeside, y, theirs * (1.0 - error), theirs * (1.0 + error),
-                          "theirs-line");
+            draw_upright_interval(svg, place.x - kBeside, y, theirs * (1.0 - error),
+                                  theirs * (1.0 + error), "theirs-line");
         svg.rect({place.x - kBeside - kMark, y(theirs) - kMark}, 2 * kMark, 2 * kMark, "theirs",
                  fmt::format("{} {:.3g} in the paper", name, theirs));
     }
     if (!ratio.at("ours").is_number()) return;
     const double ours = ratio.at("ours").get<double>();
     if (ratio.contains("ci95") && ratio.at("ci95").is_array())
-        draw_interval(svg, place.x + kBeside, y, ratio.at("ci95").at(0).get<double>(),
-                      ratio.at("ci95").at(1).get<double>(), "ours-line");
+        draw_upright_interval(svg, place.x + kBeside, y, ratio.at("ci95").at(0).get<double>(),
+                              ratio.at("ci95").at(1).get<double>(), "ours-line");
     svg.circle({place.x + kBeside, y(ours)}, kMark + 0.5, "ours",
                fmt::format("{} {:.3g} here", name, ours));
 }
