@@ -6,6 +6,7 @@
 #include "rig/commands.h"
 #include "rig/interrupt.h"
 #include "rig/progress.h"
+#include "rig/records/words.h"
 #include "rig/require_devices.h"
 #include "rig/scenario/parse.h"
 #include "rig/session/device_streams.h"
@@ -50,6 +51,9 @@ void print(const fs::path& file, const std::vector<DeviceRecord>& devices,
                    device.counts.samples, device.counts.lost, device.counts.rejected,
                    device.counts.reconnects,
                    device.rate_hz ? fmt::format("{:.4g} Hz", *device.rate_hz) : "no rate");
+        if (const std::string what = counted(device.troubles); !what.empty()) {
+            fmt::print("{:<10} {}\n", "", what);
+        }
     }
     for (const auto& [topic, dropped] : recording.dropped_of) {
         fmt::print("dropped    {} messages of {}: the disk was too slow\n", dropped, topic);

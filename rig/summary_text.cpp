@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "rig/records/words.h"
+
 namespace foverig {
 namespace {
 
@@ -41,6 +43,18 @@ std::string spread(const json& d, const char* unit) {
     if (!d.is_object()) return "not measured";
     return fmt::format("p50 {}  p99 {}  max {}", number(d["p50"], unit), number(d["p99"], unit),
                        number(d["max"], unit));
+}
+
+/// What did not come as it was sent, of each device that has any.
+std::string losses(const json& devices) {
+    std::string text;
+    for (const auto& [name, device] : devices.items()) {
+        json counts = device.value("troubles", json::object());
+        for (const char* key : {"lost", "rejected"}) counts[key] = device.value(key, json());
+        if (const std::string what = counted(counts); !what.empty())
+            text += fmt::format("losses            {}: {}\n", name, what);
+    }
+    return text;
 }
 
 /// When each device was not there; the first three times of each.
@@ -118,6 +132,7 @@ std::string summary_text(const json& s) {
         if (const auto frames_with = display["hud_frames"].get<std::uint64_t>(); frames_with > 0)
             text += fmt::format("hud               its cost is in {} frames\n", frames_with);
     }
+    text += losses(s.value("devices", json::object()));
     text += outages(s.value("devices", json::object()));
     for (const json& image : s.value("images", json::array())) {
         if (!image.contains("mean_absolute_error")) continue;

@@ -70,6 +70,8 @@ Status Dk2ImuSource::set_up() {
     if (!display) return display.error();
     DisplayReport panel = *display;
     panel.read_pixel = config_.read_pixel;
+    panel.use_rolling = true;
+    panel.persistence_rows = config_.persistence_rows;
     if (auto status = set(*transport_, panel, command_id_); !status) return status;
 
     if (config_.light_leds) {

@@ -15,7 +15,9 @@ namespace foverig::dk2 {
 struct ImuSourceConfig {
     std::uint8_t interval = 0;  ///< reports at 1000 / (1 + interval) Hz
     bool read_pixel = true;     ///< turns the latency tester on
-    bool light_leds = false;    ///< blinking, for the tracker camera
+    /// Of the panel, as PanelTiming takes it: published ones disagree, and another program's stays.
+    std::uint16_t persistence_rows = 435;
+    bool light_leds = false;  ///< blinking, for the tracker camera
     std::uint16_t keep_alive_timeout_ms = 10000;
     Nanoseconds keep_alive_period{3'000'000'000};  ///< three tries a time-out
     ClockMapConfig clock_map{};

@@ -24,6 +24,8 @@ struct DeviceRecord {
     SourceCounts counts;
     std::optional<double> rate_hz;  ///< samples over the time they were taken in
     std::vector<Outage> outages{};
+    /// What went wrong in ways that only this kind of device has: name (as a key) and count.
+    std::map<std::string, std::uint64_t> troubles{};
 };
 
 /// A window that showed the frames.

@@ -127,10 +127,13 @@ json outages_json(const std::vector<Outage>& outages) {
 json devices_json(const RunRecord& run) {
     json all = json::object();
     for (const DeviceRecord& device : run.devices) {
-        all[device.name] = {
-            {"samples", device.counts.samples},        {"lost", device.counts.lost},
-            {"rejected", device.counts.rejected},      {"reconnects", device.counts.reconnects},
-            {"outages", outages_json(device.outages)}, {"rate_hz", or_null(device.rate_hz)}};
+        all[device.name] = {{"samples", device.counts.samples},
+                            {"lost", device.counts.lost},
+                            {"rejected", device.counts.rejected},
+                            {"reconnects", device.counts.reconnects},
+                            {"outages", outages_json(device.outages)},
+                            {"rate_hz", or_null(device.rate_hz)},
+                            {"troubles", device.troubles}};
     }
     // It sends nothing of its own that could be lost or malformed: read-backs ride in the headset's
     // reports, and are counted there.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "rig/records/words.h"
 #include "rig/report/markup.h"
 
 namespace foverig::report {
@@ -58,9 +59,10 @@ std::string device_table(const RunData& run) {
         };
         rows.push_back({escaped(name), cell("samples"),
                         number(run.number({"devices", key, "rate_hz"})), cell("lost"),
-                        cell("rejected"), cell("reconnects")});
+                        cell("rejected"), cell("reconnects"),
+                        escaped(counted(device.value("troubles", nlohmann::json::object())))});
     }
-    return table({"device", "samples", "rate Hz", "lost", "rejected", "reconnects"}, rows,
+    return table({"device", "samples", "rate Hz", "lost", "rejected", "reconnects", "else"}, rows,
                  {1, 2, 3, 4, 5}) +
            window_note(run);
 }

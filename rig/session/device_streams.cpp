@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rig/failure.h"
 #include "rig/session/calibration_file.h"
 #include "rig/session/panel_settings.h"
 
@@ -22,14 +23,25 @@ GazeWorsening worsening_of(const Scenario& scenario) {
             .seed = seed_of(scenario, SeedStream::worsening)};
 }
 
+/// A replayed device that cannot be opened since its file is damaged: that is what is said.
+template <class Open>
+auto opened_of(const World& world, Open open) {
+    try {
+        return open();
+    } catch (const DeviceError&) {
+        (void)world.at_end();  // throws InputError
+        throw;
+    }
+}
+
 }  // namespace
 
 DeviceStreams::DeviceStreams(const Scenario& scenario, World& world, Clock& clock,
                              SessionRecording* recording)
     : clock_(clock),
       recording_(recording),
-      head_(open_head(world)),
-      gaze_(open_gaze(scenario, world)) {
+      head_(opened_of(world, [&] { return open_head(world); })),
+      gaze_(opened_of(world, [&] { return open_gaze(scenario, world); })) {
     if (recording_ == nullptr) return;
     recording_->calibration(head_.calibration());
     recording_->calibration(gaze_.info());

@@ -59,12 +59,19 @@ void HeadTracker::read_camera(HostTime deadline) {
 std::optional<DeviceRecord> HeadTracker::camera_record() const {
     if (!camera_) return std::nullopt;
     const SourceCounts& counts = camera_->source().counts();
-    return DeviceRecord{"camera", counts,
-                        sample_rate_hz(camera_->counts().tracker.poses, first_fix_, newest_fix_)};
+    return DeviceRecord{
+        .name = "camera",
+        .counts = counts,
+        .rate_hz = sample_rate_hz(camera_->counts().tracker.poses, first_fix_, newest_fix_),
+        .troubles = {{"frames_of_no_known_flash", camera_->counts().unpaired}}};
 }
 
 DeviceRecord HeadTracker::record() const {
-    return {"dk2", source_.counts(), sample_rate_hz(source_.counts().samples, first_, newest_)};
+    return {.name = "dk2",
+            .counts = source_.counts(),
+            .rate_hz = sample_rate_hz(source_.counts().samples, first_, newest_),
+            .troubles = {{"control_failures", source_.control_failures()},
+                         {"format_switches", source_.format_switches()}}};
 }
 
 }  // namespace foverig

@@ -127,6 +127,27 @@ TEST_F(ProgramRecordingTest, RefusesToSaveNothing) {
     EXPECT_FALSE(fs::exists(root_ / "a.recovered.mcap"));
 }
 
+TEST_F(ProgramRecordingTest, BlamesADamagedFileNotTheDevice) {
+    ASSERT_EQ(record("a.mcap").code, 0);
+    std::fstream file(root_ / "a.mcap", std::ios::binary | std::ios::in | std::ios::out);
+    for (int at = 20'000; at < 24'000; at += 100) {
+        file.seekp(at);
+        file.put('\x5a');
+    }
+    file.close();
+    const Outcome outcome = foverig({"replay", (root_ / "a.mcap").string()});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("a.mcap"));
+}
+
+TEST_F(ProgramRecordingTest, SaysWhatWasLost) {
+    const Outcome outcome =
+        foverig({"record", "--seconds", "2", "--out", (root_ / "a.mcap").string(), "--set",
+                 "faults.gaze.lost_exposure=0.1"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("missed exposures"));
+}
+
 TEST_F(ProgramRecordingTest, ExplainsItself) {
     for (const char* command : {"record", "replay", "recover"}) {
         const Outcome help = foverig({command, "--help"});

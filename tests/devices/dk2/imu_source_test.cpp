@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/dk2/feature_reports.h"
+#include "devices/display/panel_timing.h"
 #include "tests/devices/byte_text.h"
 #include "tests/devices/fake_transport.h"
 
@@ -59,6 +60,18 @@ TEST(Dk2ImuSource, TakesTheCalibrationOverAndTurnsTheLatencyTesterOn) {
     EXPECT_EQ(awake->input_report, 11);
     EXPECT_EQ(awake->timeout_ms, 10000);
     EXPECT_EQ(awake->command_id, 4);
+}
+
+TEST(Dk2ImuSource, LightsThePanelAsItsTimingTakesIt) {
+    FakeTransport t;
+    script_answers(t);
+    t.answers[DisplayReport::kId] =
+        copy_of(DisplayReport{.use_rolling = false, .persistence_rows = 348}.encode());
+    ASSERT_TRUE(Dk2ImuSource::open(t, HostTime{}));
+    const auto display = DisplayReport::decode(t.sets[2].data);
+    ASSERT_TRUE(display);
+    EXPECT_EQ(display->persistence_rows, PanelTiming{}.persistence_rows);
+    EXPECT_TRUE(display->use_rolling);
 }
 
 TEST(Dk2ImuSource, OpenSaysWhichReportFailed) {
