@@ -97,6 +97,7 @@ std::vector<Blob> find_blobs(const GreyView& image, const BlobConfig& config) {
     for (const detail::Region& r : regions) {
         if (touches_border(r, image) || !like_an_led(r, config)) continue;
         blobs.push_back(measured(r, margin_of(r, regions), image, dark));
+        if (blobs.size() > config.most_blobs) break;
     }
     return blobs;
 }

@@ -15,6 +15,8 @@ struct BlobConfig {
     /// The box of an LED's spot is filled and about square; a filament or an edge is not.
     double most_elongation = 3.0;
     double least_fill = 0.4;
+    /// Five times a headset's 40 LEDs; with more it is not the headset that lights the image.
+    std::size_t most_blobs = 200;
 };
 
 struct Blob {
@@ -30,7 +32,9 @@ struct Background {
 };
 Background background_of(const GreyView& image);
 
-/// Spots, top to bottom. What touches the image's border is left out: its centre is not seen.
+/// Spots, top to bottom. What touches the image's border is left out: its centre is not seen. One
+/// more than `most_blobs` are the most: the time that it takes to tell spots apart, and to follow
+/// them, grows with their square.
 std::vector<Blob> find_blobs(const GreyView& image, const BlobConfig& config = {});
 
 }  // namespace foverig::camera

@@ -10,7 +10,13 @@ LedTracker::LedTracker(std::vector<dk2::Led> leds, const Lens& lens, const LedTr
 std::optional<SolvedPose> LedTracker::see(const GreyView& image, int exposure, std::uint8_t pattern,
                                           const std::optional<RigidPose>& expected) {
     ++counts_.images;
-    spots_ = tracks_.follow(find_blobs(image, config_.blobs), exposure, pattern);
+    const auto blobs = find_blobs(image, config_.blobs);
+    if (blobs.size() > config_.blobs.most_blobs) {
+        ++counts_.crowded;
+        spots_.clear();
+        return std::nullopt;
+    }
+    spots_ = tracks_.follow(blobs, exposure, pattern);
     std::optional<SolvedPose> pose;
     if (expected) {
         if (const auto rough = near(*expected, config_.match_gate_px)) {

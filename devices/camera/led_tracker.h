@@ -24,6 +24,8 @@ struct LedTrackerConfig {
 
 struct LedTrackerCounts {
     std::uint64_t images = 0, poses = 0, acquired = 0, contradicted = 0;
+    std::uint64_t crowded =
+        0;  ///< images with more spots than BlobConfig::most_blobs: not searched
 };
 
 class LedTracker {
@@ -37,7 +39,7 @@ class LedTracker {
     std::optional<SolvedPose> see(const GreyView& image, int exposure, std::uint8_t pattern,
                                   const std::optional<RigidPose>& expected);
 
-    /// Of the last image.
+    /// Of the last image; none of one that was crowded.
     const std::vector<TrackedBlob>& spots() const { return spots_; }
     const LedTrackerCounts& counts() const { return counts_; }
 

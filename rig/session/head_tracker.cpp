@@ -58,7 +58,10 @@ void HeadTracker::read_camera(HostTime deadline) {
 
 std::optional<DeviceRecord> HeadTracker::camera_record() const {
     if (!camera_) return std::nullopt;
-    const SourceCounts& counts = camera_->source().counts();
+    SourceCounts counts = camera_->source().counts();
+    const std::uint64_t crowded = camera_->counts().tracker.crowded;
+    counts.samples -= crowded;
+    counts.rejected += crowded;
     return DeviceRecord{
         .name = "camera",
         .counts = counts,
