@@ -37,7 +37,7 @@ std::string said_of_headset(const hardware::FoundDevice& headset) {
     if (!device) return device.error().text;
     const auto about = dk2::read_about(**device);
     if (!about) return said_of(headset) + ", but " + about.error().text;
-    return fmt::format("{} ready, {}", headset.path, dk2::text_of(*about));
+    return said_of(headset) + ", " + dk2::text_of(*about);
 }
 
 constexpr double kFrameRate_hz = 60.0, kFrameBits = 752.0 * 480.0 * 8.0;

@@ -80,8 +80,8 @@ Result<About> read_about(Transport& transport) {
 }
 
 std::string text_of(const About& about) {
-    return fmt::format("serial {}, UUID {}; {}; magnetometer {}{}{}", about.serial, about.uuid,
-                       production_text(about.stages),
+    return fmt::format("factory number {}, UUID {}; {}; magnetometer {}{}{}", about.serial,
+                       about.uuid, production_text(about.stages),
                        about.mag_calibration == 0
                            ? "not calibrated"
                            : fmt::format("calibrated (version {})", about.mag_calibration),

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "devices/dk2/feature_reports.h"
 #include "devices/hardware/found_cameras.h"
 #include "devices/hardware/hid_link.h"
 #include "devices/hardware/usb_link.h"
@@ -28,11 +31,29 @@ Result<std::unique_ptr<LiveTransport>> open_chosen(const Clock& clock, const std
         settings);
 }
 
+/// Report 10's; empty where the headset does not tell it. Opens it for a moment.
+std::string factory_number_of(const FoundDevice& headset) {
+    const auto link = HidLink::open(headset);
+    if (!link) return "";
+    const auto bytes = (*link)->control_get(dk2::SerialReport::kId, 0, dk2::SerialReport::kSize);
+    if (!bytes) return "";
+    const auto report = dk2::SerialReport::decode(*bytes);
+    return report ? report->serial : "";
+}
+
 }  // namespace
 
 Result<FoundDevice> choose_headset(const std::string& serial) {
-    return choose(find_headsets(), serial, "headset",
-                  fmt::format("Rift DK2, USB {}, among the hidraw devices", text_of(kDk2)));
+    const auto found = find_headsets();
+    const auto chosen =
+        choose(found, serial, "headset",
+               fmt::format("Rift DK2, USB {}, among the hidraw devices", text_of(kDk2)));
+    if (chosen || chosen.error().code != ErrorCode::not_found) return chosen;
+    const auto named = std::find_if(found.begin(), found.end(), [&](const FoundDevice& d) {
+        return factory_number_of(d) == serial;
+    });
+    if (named != found.end()) return *named;
+    return chosen;
 }
 
 Result<FoundDevice> choose_gaze_tracker(const UsbId& id, const std::string& serial) {

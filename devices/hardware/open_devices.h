@@ -9,7 +9,8 @@
 namespace foverig::hardware {
 
 /// The device to open; `serial` may be empty: the only one there is. Errors: not_found, and
-/// invalid_data where several are there.
+/// invalid_data where several are there. A headset's is that of USB (its UUID, 20 characters), and
+/// its factory number (report 10, 12 characters) names it too.
 Result<FoundDevice> choose_headset(const std::string& serial);
 Result<FoundDevice> choose_gaze_tracker(const UsbId& id, const std::string& serial);
 

@@ -55,7 +55,8 @@ void add_hardware_keys(std::vector<Key>& keys) {
         "headset",
         [](auto& s) -> auto& { return s.hardware.camera; }));
     keys.push_back(text_key(
-        "hardware.head_serial", "a serial (foverig devices)", "which headset; empty: the only one",
+        "hardware.head_serial", "a serial or factory number (foverig devices)",
+        "which headset; empty: the only one",
         [](auto& s) -> auto& { return s.hardware.head_serial; }));
     keys.push_back(text_key(
         "hardware.gaze_serial", "a serial (foverig devices)",

@@ -1,6 +1,6 @@
 #include "simulators/usb/dk2_function.h"
 
-#include "devices/dk2/feature_reports.h"
+#include "devices/dk2/identity_reports.h"
 #include "simulators/usb/descriptors.h"
 #include "simulators/usb/dk2_report_descriptor.h"
 
@@ -30,10 +30,10 @@ std::vector<std::byte> interface() {
 }  // namespace
 
 std::string dk2_serial(Transport& device) {
-    const auto bytes = device.control_get(dk2::SerialReport::kId, 0, dk2::SerialReport::kSize);
+    const auto bytes = device.control_get(dk2::UuidReport::kId, 0, dk2::UuidReport::kSize);
     if (!bytes) return "";
-    const auto report = dk2::SerialReport::decode(*bytes);
-    return report ? report->serial : "";
+    const auto report = dk2::UuidReport::decode(*bytes);
+    return report ? report->uuid : "";
 }
 
 Dk2Function::Dk2Function(Transport& device)

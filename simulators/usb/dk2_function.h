@@ -22,7 +22,7 @@ class Dk2Function final : public UsbFunction {
     Descriptors descriptors_;
 };
 
-/// What the device says of itself in feature report 10, empty where it does not.
+/// On USB: the UUID of feature report 19, empty where the device does not tell it.
 std::string dk2_serial(Transport& device);
 
 }  // namespace foverig::usb

@@ -62,7 +62,8 @@ TEST_F(Doctor, SaysWhatAHeadsetSaysOfItself) {
     MockHeadset headset(bed_);
     answer_as_made(headset);
     EXPECT_EQ(said_of("headset"),
-              "/dev/hidraw0 ready, serial ABCDEFGHIJKL, UUID ABCDEFGHIJKLMNOPQRST; made "
+              "/dev/hidraw0 ready, serial A1B2C3D4E5F6G7H8I9J0, factory number ABCDEFGHIJKL, UUID "
+              "ABCDEFGHIJKLMNOPQRST; made "
               "2014-07-12, 1 factory tests stored, all passed; magnetometer calibrated (version "
               "1)");
     EXPECT_TRUE(headset.sets().empty());

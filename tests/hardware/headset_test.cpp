@@ -64,6 +64,15 @@ TEST_F(Headset, IsFoundByItsSerial) {
     EXPECT_TRUE(open("BBBB"));
 }
 
+TEST_F(Headset, IsFoundByItsFactoryNumberToo) {
+    MockHeadset first(bed_, 0, "AAAA"), second(bed_, 1, "BBBB");
+    second.answer(test::copy_of(dk2::SerialReport{.serial = "ABCDEFGHIJKL"}.encode()));
+    const auto chosen = choose_headset("ABCDEFGHIJKL");
+    ASSERT_TRUE(chosen) << chosen.error().text;
+    EXPECT_EQ(chosen->serial, "BBBB");
+    EXPECT_EQ(choose_headset("ABCDEFGHIJKX").error().code, ErrorCode::not_found);
+}
+
 TEST_F(Headset, GivesReportsByteForByteWithTheirArrival) {
     MockHeadset headset(bed_);
     const auto device = open();

@@ -64,8 +64,8 @@ TEST(About, TellsAHeadsetThatIsAsItWasMade) {
     ASSERT_EQ(about->stages.size(), 6U);
     EXPECT_EQ(about->stages[5].stage, 5);
     EXPECT_EQ(text_of(*about),
-              "serial ABCDEFGHIJKL, UUID ABCDEFGHIJKLMNOPQRST; made 2014-07-12, 6 factory tests "
-              "stored, all passed; magnetometer calibrated (version 2)");
+              "factory number ABCDEFGHIJKL, UUID ABCDEFGHIJKLMNOPQRST; made 2014-07-12, 6 factory "
+              "tests stored, all passed; magnetometer calibrated (version 2)");
     EXPECT_TRUE(headset.device.sets.empty());
 }
 

@@ -4,6 +4,7 @@
 
 #include "devices/crc32.h"
 #include "devices/dk2/feature_reports.h"
+#include "devices/dk2/identity_reports.h"
 #include "simulators/usb/control_endpoint.h"
 #include "simulators/usb/dk2_report_descriptor.h"
 #include "tests/devices/byte_text.h"
@@ -25,6 +26,17 @@ TEST(Dk2OnUsb, ReportDescriptorIsTheFirmwares) {
     EXPECT_EQ(descriptor.size(), 771u);
     // Of the array in facebookarchive/RiftDK2, Headset/Firmware/src/usb_desc.c.
     EXPECT_EQ(crc32(descriptor), 0x0F98C44Bu);
+}
+
+// DEVICES.md 1.1: 20 characters, those of report 19; report 10 has but 12.
+TEST(Dk2OnUsb, TheSerialIsTheUuid) {
+    test::Dk2Bench bench;
+    const Dk2Function function(bench.device);
+    const auto uuid = dk2::UuidReport::decode(
+        bench.device.control_get(dk2::UuidReport::kId, 0, dk2::UuidReport::kSize).value());
+    EXPECT_EQ(function.descriptors().strings[2], uuid->uuid);
+    EXPECT_EQ(uuid->uuid.size(), 20u);
+    EXPECT_EQ(dk2_serial(bench.device), uuid->uuid);
 }
 
 TEST(Dk2OnUsb, DescriptorsAreTheFirmwares) {
