@@ -70,7 +70,7 @@ Result<FoundDevice> choose_tracker_camera(const std::string& serial) {
 Result<std::unique_ptr<LiveTransport>> open_tracker_camera(const Clock& clock,
                                                            const std::string& serial) {
     return open_chosen(
-        clock, serial, {.queue_capacity = 8}, &choose_tracker_camera,
+        clock, serial, {.queue_capacity = kTrackerFrames}, &choose_tracker_camera,
         [](const FoundDevice& device) { return VideoLink::open(device, tracker_modes()); });
 }
 

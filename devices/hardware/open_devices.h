@@ -21,7 +21,12 @@ Result<FoundDevice> choose_tracker_camera(const std::string& serial);
 Result<std::unique_ptr<LiveTransport>> open_headset(const Clock& clock, const std::string& serial,
                                                     const LiveTransport::Settings& settings = {});
 
-/// The DK2's tracker camera; its packets are camera/frame.h's, and the newest eight are kept.
+/// Frames of the tracker camera that wait: 3 s of it, 64 MiB. A session that records takes them on
+/// its frames' thread, and a slow frame must not tear a hole into the recording.
+inline constexpr std::size_t kTrackerFrames = (std::size_t{64} << 20) / (752 * 480);
+
+/// The DK2's tracker camera; its packets are camera/frame.h's, and the newest kTrackerFrames are
+/// kept.
 Result<std::unique_ptr<LiveTransport>> open_tracker_camera(const Clock& clock,
                                                            const std::string& serial);
 

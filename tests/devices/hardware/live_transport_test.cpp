@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <stdexcept>
 #include <thread>
+
+#include "devices/hardware/open_devices.h"
 
 namespace foverig::hardware {
 namespace {
@@ -91,6 +94,18 @@ TEST(PacketQueue, TellsOfALossThatGaveWayToPackets) {
     EXPECT_TRUE(std::holds_alternative<Fault>(queue.next(at_ms(0))));
     for (int i = 0; i < 4; ++i) EXPECT_EQ(packet_of(queue.next(at_ms(0))), kSecond);
     EXPECT_TRUE(std::holds_alternative<Timeout>(queue.next(at_ms(0))));
+}
+
+/// A frame of a run that took two seconds, as one that compiles a scene or waits for a disk may.
+TEST(PacketQueue, HoldsTheTrackerCamerasFramesOverASlowFrame) {
+    ManualClock clock;
+    PacketQueue queue(clock, kTrackerFrames);
+    const std::vector<std::byte> frame(752 * 480);
+    for (std::uint8_t i = 0; i < 120; ++i) queue.push(std::array{std::byte{i}}, frame);
+    for (std::uint8_t i = 0; i < 120; ++i) {
+        const auto next = queue.next(at_ms(0));
+        ASSERT_EQ(std::get<Packet>(next).bytes[0], std::byte{i});
+    }
 }
 
 /// Gives two packets, then is gone.
