@@ -145,9 +145,10 @@ ExitCode expose_command(const ExposeRequest& request) {
     const auto counts = device->counts();
     device.reset();
     if (recording) recording->end();
-    fmt::print("{}: {} packets in {:.1f} s, plugged in {}\n", request.device, counts.packets,
-               to_seconds(clock.now().time_since_epoch()),
-               counts.plugged_in == 1 ? "once" : fmt::format("{} times", counts.plugged_in));
+    fmt::print("{}: {} packets in {:.1f} s, plugged in {}; {} transfers not asked for in time\n",
+               request.device, counts.packets, to_seconds(clock.now().time_since_epoch()),
+               counts.plugged_in == 1 ? "once" : fmt::format("{} times", counts.plugged_in),
+               counts.unheard);
     if (error) throw DeviceError(error->text);
     return ExitCode::good;
 }

@@ -43,6 +43,7 @@ bool ExposedDevice::pass_on(const std::stop_token& stop) {
             face_->send(std::move(packet->bytes).release());
             const std::lock_guard lock(mutex_);
             ++counts_.packets;
+            counts_.unheard = face_->unheard();
         } else if (std::holds_alternative<Timeout>(next)) {
             return face_ || plug_in_again();
         } else if (std::holds_alternative<Fault>(next)) {

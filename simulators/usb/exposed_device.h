@@ -15,6 +15,7 @@ class ExposedDevice {
     struct Counts {
         std::uint64_t packets = 0;
         std::uint64_t plugged_in = 0;
+        std::uint64_t unheard = 0;  ///< by the face that is plugged in, or was last
     };
 
     /// Plugged in now; the error is why it cannot be. `model` and `clock` outlive the device; the
@@ -42,7 +43,7 @@ class ExposedDevice {
     PlugIn plug_in_;
     std::unique_ptr<Face> face_;  // null while the model is unplugged
     mutable std::mutex mutex_;    // of what follows
-    Counts counts_{.packets = 0, .plugged_in = 1};
+    Counts counts_{.packets = 0, .plugged_in = 1, .unheard = 0};
     bool ended_ = false;
     std::optional<Error> error_;
     std::jthread thread_;  // last: stops first

@@ -11,10 +11,11 @@ std::optional<InQueue::Ended> InQueue::submit(const Submit& submit, HostTime now
 }
 
 std::optional<InQueue::Ended> InQueue::push(std::vector<std::byte> data, HostTime now) {
-    data_.push_back(std::move(data));
-    if (waiting_.empty() && last_asked_ < now - kListens) {
-        unheard_ += data_.size();
-        data_.clear();
+    kept_.push_back({now, std::move(data)});
+    const bool listens = !waiting_.empty() || last_asked_ >= now - kListens;
+    while (!kept_.empty() && (!listens || kept_.front().since < now - kOldest)) {
+        ++unheard_;
+        kept_.pop_front();
     }
     return meet();
 }
@@ -26,10 +27,10 @@ bool InQueue::unlink(std::uint32_t sequence) {
 }
 
 std::optional<InQueue::Ended> InQueue::meet() {
-    if (waiting_.empty() || data_.empty()) return std::nullopt;
-    Ended ended{.submit = waiting_.front(), .status = kGood, .data = std::move(data_.front())};
+    if (waiting_.empty() || kept_.empty()) return std::nullopt;
+    Ended ended{.submit = waiting_.front(), .status = kGood, .data = std::move(kept_.front().data)};
     waiting_.pop_front();
-    data_.pop_front();
+    kept_.pop_front();
     if (ended.data.size() > ended.submit.length) {
         ended.data.resize(ended.submit.length);
         ended.status = kTooLong;

@@ -9,12 +9,14 @@
 namespace foverig::usb {
 
 /// The kernel's usbhid keeps but one transfer in flight, so a device that has no room loses reports
-/// between two: here they wait in order. Not safe for threads.
+/// between two: here they wait in order, and go when a host that is slower than the device has let
+/// them become old. Not safe for threads.
 class InQueue {
   public:
     /// A host that asked for nothing this long is not listening: what was kept for it is old, and
     /// is thrown away.
     static constexpr Nanoseconds kListens{500'000'000};
+    static constexpr Nanoseconds kOldest{1'000'000'000};  ///< that a packet becomes here
 
     /// A transfer that has ended.
     struct Ended {
@@ -28,13 +30,18 @@ class InQueue {
     /// False: no such transfer waits here.
     bool unlink(std::uint32_t sequence);
 
-    std::uint64_t unheard() const { return unheard_; }  ///< packets that nobody asked for
+    std::uint64_t unheard() const { return unheard_; }  ///< packets that nobody asked for in time
 
   private:
     std::optional<Ended> meet();
 
+    struct Kept {
+        HostTime since;
+        std::vector<std::byte> data;
+    };
+
     std::deque<Submit> waiting_;
-    std::deque<std::vector<std::byte>> data_;
+    std::deque<Kept> kept_;
     HostTime last_asked_{HostTime::min()};
     std::uint64_t unheard_ = 0;
 };

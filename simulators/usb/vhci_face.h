@@ -14,6 +14,7 @@ class VhciFace final : public Face {
                                                  std::uint8_t packets, const Clock& clock);
 
     void send(std::vector<std::byte> packet) override;
+    std::uint64_t unheard() const override { return server_.unheard(); }
     bool connected() const override { return server_.connected(); }
 
   private:

@@ -49,6 +49,21 @@ TEST(InQueue, ThrowsAwayWhatNobodyListensTo) {
     EXPECT_EQ(queue.submit(asks(2), at_ms(1450))->data, packet(8));
 }
 
+/// A host that takes every second report of a device never has one that is more than a second old.
+TEST(InQueue, KeepsUpWithAHostThatIsSlowerThanTheDevice) {
+    InQueue queue;
+    std::uint32_t taken = 0;
+    for (int ms = 0; ms < 20000; ++ms) {
+        std::vector<std::byte> stamp(4);
+        write_u32(stamp, 0, static_cast<std::uint32_t>(ms));
+        auto ended = queue.push(std::move(stamp), at_ms(ms));
+        if (!ended && ms % 2 == 0) ended = queue.submit(asks(++taken), at_ms(ms));
+        if (!ended) continue;
+        ASSERT_LE(ms - static_cast<int>(read_u32(ended->data, 0)), 1000);
+    }
+    EXPECT_NEAR(static_cast<double>(queue.unheard()), 20000 - 10000 - 1000, 5);
+}
+
 TEST(InQueue, SaysWhenAPacketIsTooLongForItsTransfer) {
     InQueue queue;
     queue.submit(asks(1, 8), at_ms(0));
