@@ -123,9 +123,7 @@ std::vector<Column> times_and_counts() {
         {"inf", "", "infinities that kernels met", [](F f) { return count(f.numerics.inf); }},
         {"clamped", "", "values that kernels clamped",
          [](F f) { return count(f.numerics.clamped); }},
-        {"pose_stale", "",
-         "1: no inertial sample for 0.1 s: the last head pose stands; or a gap over which no head "
-         "can be followed, until a second after it",
+        {"pose_stale", "", "1: no inertial sample for 0.1 s: the last head pose stands",
          [](F f) { return count(f.pose_stale); }},
         {"gaze_held", "", "1: the newest gaze sample had nothing for an eye (blink, loss)",
          [](F f) { return count(f.gaze_held); }},

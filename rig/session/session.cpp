@@ -10,6 +10,10 @@ namespace {
 
 constexpr Nanoseconds kReadbackTail{60'000'000};  // read-backs come one or two VSyncs late
 
+/// A DK2 reports each millisecond: so many lost ones are a cable, not chance, and a prediction over
+/// them is a guess.
+constexpr Nanoseconds kPoseLimit{100'000'000};
+
 constexpr Nanoseconds kTurnSpan{2'000'000};  // over which the true head's speed is taken
 
 constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
@@ -84,8 +88,7 @@ FrameInput Session::input_for(FrameRecord& frame, HostTime expected_vsync) {
     const PanelTiming& timing = world_->display().timing();
     frame.pose = devices_.head().newest();
     frame.gaze = devices_.gaze().newest();
-    // As of now: how far ahead a photon lies is no matter of the headset's.
-    frame.pose_stale = devices_.head().predict(frame.begin).stale;
+    frame.pose_stale = !frame.pose || frame.begin - frame.pose->taken > kPoseLimit;
     const auto eyes = eye_count(scenario_);
     const HostTime first = timing.photon(expected_vsync, kEyes.front());
     frame.predicted_photon = mean_of(first, timing.photon(expected_vsync, kEyes[eyes - 1]));
