@@ -27,7 +27,8 @@ void collect(const nlohmann::json& node, const std::string& name, Facts& facts) 
         collect(value, name.empty() ? key : name + "." + key, facts);
 }
 
-/// All that must not differ.
+/// All that must not differ. With hardware.head = auto the scenario does not say whether the
+/// headset was there; what says nothing of it was made before runs did.
 Facts facts_of(const nlohmann::json& summary) {
     Facts facts;
     collect(summary.value("scenario", nlohmann::json::object()), "", facts);
@@ -42,6 +43,10 @@ Facts facts_of(const nlohmann::json& summary) {
         const auto values = summary.value(part, nlohmann::json::object());
         facts[fmt::format("{}.{}", part, key)] = values.value(key, nlohmann::json()).dump();
     }
+    const auto devices = summary.value("devices", nlohmann::json::object());
+    for (const auto& [name, device] : devices.items())
+        if (name != "panel" && device.value("origin", "") == "hardware")
+            facts[fmt::format("devices.{}.origin", name)] = device.at("origin").dump();
     return facts;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "rig/report/provenance.h"
+
 namespace foverig::exports {
 namespace {
 
@@ -64,10 +66,11 @@ std::string effects(const json& plan) {
 std::string markdown(const report::RunData& run) {
     const json& s = run.summary;
     std::string text = fmt::format(
-        "### foverig: {}, {} on {}\n\nVersion {} ({}), {}, {}{}\n\n| | | |\n|---|---|---|\n",
+        "### foverig: {}, {} on {}\n\nVersion {} ({}), {}, {}{}\n\n{}\n\n| | | |\n|---|---|---|\n",
         run.text({"scenario", "scene"}), run.text({"pipeline"}), run.text({"build", "backend"}),
         run.text({"build", "version"}), run.text({"build", "git"}), run.text({"build", "type"}),
-        run.text({"host", "cpu"}), s.at("interrupted").get<bool>() ? " · **ended early**" : "");
+        run.text({"host", "cpu"}), s.at("interrupted").get<bool>() ? " · **ended early**" : "",
+        report::provenance(run));
     add_times(text, s);
     const json& vsync = s.at("vsync");
     const auto missed = run.number({"vsync", "missed_ratio"});

@@ -19,6 +19,12 @@ struct Outage {
     std::string why;
 };
 
+/// Where a device's bytes come from.
+enum class Origin { simulated, recorded, hardware };
+
+/// "simulated", "recorded", "hardware".
+const char* name_of(Origin origin);
+
 struct DeviceRecord {
     std::string name;
     SourceCounts counts;
@@ -26,6 +32,7 @@ struct DeviceRecord {
     std::vector<Outage> outages{};
     /// What went wrong in ways that only this kind of device has: name (as a key) and count.
     std::map<std::string, std::uint64_t> troubles{};
+    Origin origin = Origin::simulated;
 };
 
 /// A window that showed the frames.

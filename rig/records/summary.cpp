@@ -133,14 +133,19 @@ json devices_json(const RunRecord& run) {
                             {"reconnects", device.counts.reconnects},
                             {"outages", outages_json(device.outages)},
                             {"rate_hz", or_null(device.rate_hz)},
-                            {"troubles", device.troubles}};
+                            {"troubles", device.troubles},
+                            {"origin", name_of(device.origin)}};
     }
     // It sends nothing of its own that could be lost or malformed: read-backs ride in the headset's
     // reports, and are counted there.
     const PanelRecord panel = panel_record(run.frames);
-    all["panel"] = {{"samples", panel.samples}, {"lost", nullptr},
-                    {"rejected", nullptr},      {"reconnects", nullptr},
-                    {"outages", nullptr},       {"rate_hz", or_null(panel.rate_hz)}};
+    all["panel"] = {{"samples", panel.samples},
+                    {"lost", nullptr},
+                    {"rejected", nullptr},
+                    {"reconnects", nullptr},
+                    {"outages", nullptr},
+                    {"rate_hz", or_null(panel.rate_hz)},
+                    {"origin", name_of(run.display ? Origin::hardware : Origin::simulated)}};
     return all;
 }
 

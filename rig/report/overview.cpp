@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "rig/report/markup.h"
+#include "rig/report/provenance.h"
 
 namespace foverig::report {
 namespace {
@@ -109,6 +110,7 @@ std::string overview(const RunData& run) {
         escaped(run.text({"host", "cpu"})), count(run.number({"host", "cores"})),
         escaped(run.text({"host", "os"})), escaped(clock), escaped(run.text({"scenario", "cost"})),
         run.summary.value("interrupted", false) ? " · <b>ended early by Ctrl-C</b>" : "");
+    html += fmt::format("<p class=\"identity\">{}</p>", escaped(provenance(run)));
     return html + verdict(run) + lost_tracking(run) + tiles(run);
 }
 

@@ -38,7 +38,8 @@ auto opened_of(const World& world, Open open) {
 
 DeviceStreams::DeviceStreams(const Scenario& scenario, World& world, Clock& clock,
                              SessionRecording* recording)
-    : clock_(clock),
+    : world_(world),
+      clock_(clock),
       recording_(recording),
       head_(opened_of(world, [&] { return open_head(world); })),
       gaze_(opened_of(world, [&] { return open_gaze(scenario, world); })) {
@@ -78,7 +79,10 @@ GazeTracker DeviceStreams::open_gaze(const Scenario& scenario, World& world) {
 std::vector<DeviceRecord> DeviceStreams::records() const {
     std::vector<DeviceRecord> records{head_.record(), gaze_.record()};
     if (const auto camera = head_.camera_record()) records.push_back(*camera);
-    for (DeviceRecord& record : records) record.outages = watched_.at(record.name).outages();
+    for (DeviceRecord& record : records) {
+        record.outages = watched_.at(record.name).outages();
+        record.origin = world_.origin(record.name);
+    }
     return records;
 }
 

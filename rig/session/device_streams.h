@@ -41,6 +41,7 @@ class DeviceStreams {
     GazeTracker open_gaze(const Scenario& scenario, World& world);
     Transport& watched(const char* name, Transport& device);
 
+    const World& world_;
     Clock& clock_;
     SessionRecording* recording_;
     Notice notice_;

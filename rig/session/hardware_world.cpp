@@ -62,4 +62,9 @@ std::optional<std::array<dvec3, 2>> HardwareWorld::true_gaze(HostTime time) cons
     return gaze_tracker_ ? std::nullopt : stand_ins_.true_gaze(time);
 }
 
+Origin HardwareWorld::origin(std::string_view device) const {
+    const auto& real = device == "dk2" ? headset_ : device == "gaze" ? gaze_tracker_ : camera_;
+    return real ? Origin::hardware : Origin::simulated;
+}
+
 }  // namespace foverig

@@ -21,6 +21,7 @@ class HardwareWorld final : public World {
     double initial_yaw_rad() const override;
     std::optional<dquat> true_head(HostTime time) const override;
     std::optional<std::array<dvec3, 2>> true_gaze(HostTime time) const override;
+    Origin origin(std::string_view device) const override;
     /// A headset on the desk reads its own panel, which does not show this run's frames.
     bool reads_back_our_frames() const override { return headset_ == nullptr; }
     bool at_end() const override { return false; }

@@ -22,6 +22,7 @@ class ReplayedWorld final : public World {
     std::optional<std::array<dvec3, 2>> best_known_gaze(HostTime time) const override {
         return recorded_gaze_.at(time);
     }
+    Origin origin(std::string_view) const override { return Origin::recorded; }
     bool reads_back_our_frames() const override { return false; }
     bool at_end() const override;
 

@@ -76,8 +76,10 @@ std::optional<BehindPicture> SeeThrough::picture(HostTime now, const HeadTracker
 
 DeviceRecord SeeThrough::record() const {
     const SourceCounts counts = camera_.counts();
-    return {"see_through", counts,
-            sample_rate_hz(counts.samples - before_first_, first_, instants_)};
+    return {.name = "see_through",
+            .counts = counts,
+            .rate_hz = sample_rate_hz(counts.samples - before_first_, first_, instants_),
+            .origin = settings_.camera == "sim" ? Origin::simulated : Origin::hardware};
 }
 
 }  // namespace foverig

@@ -26,6 +26,7 @@ class SimulatedWorld final : public World {
     double initial_yaw_rad() const override;
     std::optional<dquat> true_head(HostTime time) const override;
     std::optional<std::array<dvec3, 2>> true_gaze(HostTime time) const override;
+    Origin origin(std::string_view) const override { return Origin::simulated; }
     bool reads_back_our_frames() const override { return true; }
     bool at_end() const override { return false; }
 

@@ -23,6 +23,10 @@ class WindowedWorld final : public World {
     std::optional<std::array<dvec3, 2>> true_gaze(HostTime time) const override {
         return devices_->true_gaze(time);
     }
+    std::optional<std::array<dvec3, 2>> best_known_gaze(HostTime time) const override {
+        return devices_->best_known_gaze(time);
+    }
+    Origin origin(std::string_view device) const override { return devices_->origin(device); }
     bool reads_back_our_frames() const override { return reads_back_; }
     bool at_end() const override { return devices_->at_end(); }
 

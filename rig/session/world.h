@@ -4,10 +4,12 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "devices/display/display.h"
 #include "devices/math.h"
 #include "devices/transport.h"
+#include "rig/records/run_record.h"
 #include "rig/scenario/scenario.h"
 
 namespace foverig {
@@ -32,6 +34,8 @@ class World {
         return true_gaze(time);
     }
 
+    /// Of "dk2", "gaze" or "camera".
+    virtual Origin origin(std::string_view device) const = 0;
     /// The headset reads back the frames of this run's display, not those of another run.
     virtual bool reads_back_our_frames() const = 0;
     /// Nothing more will come. Throws InputError where the reason is a damaged file.

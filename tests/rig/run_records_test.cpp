@@ -145,6 +145,24 @@ TEST_F(RunRecords, ListThePanelAmongTheDevices) {
         EXPECT_TRUE(panel[key].is_null()) << key << ": a panel sends nothing of its own";
 }
 
+TEST_F(RunRecords, SayWhatWasSimulated) {
+    ASSERT_EQ(small_run("run", {"--set", "recording.enabled=true"}).code, 0);
+    const fs::path recording = root_ / "run/session.mcap";
+    ASSERT_EQ(small_run("again", {"--devices", "replay:" + recording.string()}).code, 0);
+    for (const auto& [name, origin, words] :
+         {std::tuple("run", "simulated", "Simulated: headset (the head moves as look)"),
+          std::tuple("again", "recorded", "Recorded: headset, gaze tracker.")}) {
+        const auto devices =
+            nlohmann::json::parse(text_of(root_ / name / "summary.json"))["devices"];
+        EXPECT_EQ(devices["dk2"]["origin"], origin);
+        EXPECT_EQ(devices["gaze"]["origin"], origin);
+        EXPECT_EQ(devices["panel"]["origin"], "simulated");
+        EXPECT_THAT(text_of(root_ / name / "report.html"), HasSubstr(words));
+        ASSERT_EQ(foverig({"report", (root_ / name).string(), "--export", "markdown"}).code, 0);
+        EXPECT_THAT(text_of(root_ / name / "summary.md"), HasSubstr(words));
+    }
+}
+
 TEST_F(RunRecords, TellOfADeviceThatWasUnplugged) {
     const Outcome run =
         small_run("run", {"--frames", "40", "--set", "settle_s=0.1", "--set",

@@ -54,6 +54,9 @@ TEST(Comparable, AreNotRunsOfAnythingElse) {
     EXPECT_THAT(changed("/build/type", "Debug"), HasSubstr("build.type"));
     EXPECT_THAT(changed("/build/backend", "host-bvh"), HasSubstr("build.backend"));
     EXPECT_THAT(changed("/host/cores", 64), HasSubstr("--allow host.cores"));
+    EXPECT_THAT(changed("/devices/dk2/origin", "hardware"),
+                HasSubstr("devices.dk2.origin is absent and \"hardware\""));
+    EXPECT_EQ(changed("/devices/dk2/origin", "simulated"), "") << "as before runs said so";
 }
 
 TEST(Comparable, MayBeWidened) {
