@@ -14,7 +14,8 @@ constexpr Nanoseconds kLongestGap{50'000'000};
 
 }  // namespace
 
-RecordedGaze::RecordedGaze(const Recording& recording, HostTime start) {
+RecordedGaze::RecordedGaze(const Recording& recording, HostTime start, bool loop)
+    : first_(recording.first()), round_(loop ? std::optional(recording.round()) : std::nullopt) {
     ManualClock clock;
     clock.sleep_until(start);
     ReplayedDevice device(recording, "gaze", clock, {.momentary_request = gaze::request::get_time});
@@ -37,6 +38,7 @@ RecordedGaze::RecordedGaze(const Recording& recording, HostTime start) {
 }
 
 std::optional<std::array<dvec3, 2>> RecordedGaze::at(HostTime time) const {
+    if (round_ && time >= first_) time = first_ + (time - first_) % *round_;
     const auto after = std::lower_bound(seen_.begin(), seen_.end(), time,
                                         [](const Seen& s, HostTime t) { return s.time < t; });
     if (after == seen_.end()) return std::nullopt;

@@ -13,8 +13,9 @@ namespace foverig {
 
 class RecordedGaze {
   public:
-    /// Reads the recording's gaze tracker to its end, as a replay that begins at `start` does.
-    RecordedGaze(const Recording& recording, HostTime start);
+    /// Reads the recording's gaze tracker to its end, as a replay that begins at `start` does;
+    /// `loop`: one that begins again at the end.
+    RecordedGaze(const Recording& recording, HostTime start, bool loop);
 
     /// Of each eye in the head's frame, between the samples on either side; none where these lie
     /// further apart than a blink's edge (50 ms), or an eye was not seen.
@@ -26,6 +27,8 @@ class RecordedGaze {
         std::array<dvec3, 2> direction;
     };
     std::vector<Seen> seen_;  // in order of time
+    HostTime first_;
+    std::optional<Nanoseconds> round_;
 };
 
 }  // namespace foverig

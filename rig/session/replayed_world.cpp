@@ -47,7 +47,7 @@ double yaw_of(const Recording& recording) {
 ReplayedWorld::ReplayedWorld(const Scenario& scenario, Clock& clock)
     : recording_(opened(replayed_file(scenario))),
       initial_yaw_rad_(yaw_of(recording_)),
-      recorded_gaze_(recording_, clock.now()),
+      recorded_gaze_(recording_, clock.now(), scenario.replay.loop),
       panel_(panel_settings(scenario, clock.now())),
       headset_(recording_, "dk2", clock,
                {.loop = scenario.replay.loop,

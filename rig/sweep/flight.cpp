@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "rig/failure.h"
 #include "rig/session/no_renderer.h"
 #include "rig/session/session.h"
 #include "rig/text/digest.h"
@@ -47,6 +48,12 @@ std::vector<FlownFrame> fly(const Scenario& scenario, const Scene& scene) {
         return false;
     };
     Session(paced, scene, renderer, nullptr).run(hooks);
+    if (static_cast<std::int64_t>(flight.size()) < scenario.frames)
+        throw UsageError(
+            fmt::format("scenario.frames = {}: the flight ends after {}; expected no more than "
+                        "what a recording "
+                        "(or replay.loop = true) and scenario.seconds have",
+                        scenario.frames, flight.size()));
     return flight;
 }
 

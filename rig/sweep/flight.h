@@ -15,7 +15,8 @@ struct FlownFrame {
 };
 
 /// What the eyes see frame by frame: the scenario's devices, motions and camera at one frame a
-/// VSync, whatever frames cost. So every point of a sweep is shown the same.
+/// VSync, whatever frames cost. So every point of a sweep is shown the same. Throws UsageError
+/// where there are fewer than `frames`, as a recording may end before.
 std::vector<FlownFrame> fly(const Scenario& scenario, const Scene& scene);
 
 /// Those stretches of a flight, one behind the other; all of it where they have no length.

@@ -8,6 +8,8 @@
 namespace foverig {
 namespace {
 
+constexpr Nanoseconds kLoopPause{1'000'000};  // between the last message and the first one again
+
 Error absent(const std::string& file, const std::string& what) {
     return {ErrorCode::not_found, fmt::format("{}: has no {}; expected a recording of foverig's "
                                               "own (foverig record, recording.enabled = true)",
@@ -40,6 +42,10 @@ HostTime Recording::first() const {
 
 HostTime Recording::last() const {
     return recorded_time(summary_.statistics ? summary_.statistics->end_ns : 0);
+}
+
+Nanoseconds Recording::round() const {
+    return last() - first() + kLoopPause;
 }
 
 bool Recording::has(const std::string& device) const {

@@ -26,6 +26,8 @@ class Recording {
     /// From the first to the last message.
     HostTime first() const;
     HostTime last() const;
+    /// From a message to itself in the next round of a replay that begins again at the end.
+    Nanoseconds round() const;
 
     /// Has packets of this device ("dk2", "gaze").
     bool has(const std::string& device) const;

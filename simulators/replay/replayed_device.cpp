@@ -8,7 +8,6 @@ namespace foverig {
 namespace {
 
 constexpr std::size_t kKeptExchanges = 256;
-constexpr Nanoseconds kLoopPause{1'000'000};  // between the last packet and the first one again
 
 std::set<std::uint16_t> channels_of(const Recording& recording, const std::string& device) {
     std::set<std::uint16_t> ids;
@@ -29,7 +28,7 @@ ReplayedDevice::ReplayedDevice(const Recording& recording, const std::string& de
       settings_(settings),
       raw_channel_(recording.summary().channel(raw_topic(device))->id),
       messages_(*file_, recording.summary().chunks, channels_of(recording, device)),
-      period_(recording.last() - recording.first() + kLoopPause),
+      period_(recording.round()),
       round_begin_(recording.first()) {}
 
 bool ReplayedDevice::is_out(HostTime now) const {
