@@ -83,7 +83,8 @@ std::vector<Annotation> told_of(const FrameTable& frames, std::size_t frame) {
     std::vector<Annotation> told;
     for (const std::string& id : frames.order) {
         const bool wanted = id.starts_with("pass.") || id.starts_with("rays_") || id == "late" ||
-                            id == "prediction_error_deg" || id == "gaze_error_deg";
+                            id == "mis_presented" || id == "prediction_error_deg" ||
+                            id == "gaze_error_deg";
         if (!wanted) continue;
         if (const auto value = frames.columns.at(id)[frame]) told.push_back({id, *value});
     }

@@ -218,7 +218,8 @@ json summary_json(const RunRecord& run, const json& scenario, const BuildInfo& b
     summary["frames"] = {{"rendered", count.rendered},
                          {"presented", count.presented},
                          {"dropped", count.dropped},
-                         {"late", count.late}};
+                         {"late", count.late},
+                         {"mis_presented", count.mis_presented}};
     using F = const FrameRecord&;
     summary["tracking"] = {
         {"pose_stale_frames", sum(frames, [](F f) { return f.pose_stale ? 1U : 0U; })},

@@ -13,6 +13,7 @@ VsyncCount count_vsyncs(const std::vector<FrameRecord>& frames) {
             ++count.dropped;
             continue;
         }
+        if (frame.mis_presented) ++count.mis_presented;
         if (count.presented++ == 0) first = *frame.shown_vsync;
         last = *frame.shown_vsync;
     }

@@ -1,6 +1,7 @@
 #include "rig/session/session.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rig/records/motion_phase.h"
 #include "rig/session/angles.h"
@@ -183,15 +184,18 @@ void Session::present(FrameRecord& frame, HostTime expected_vsync) {
                                                        .submit = frame.present,
                                                        .predicted_scan_out = expected_vsync});
     }
-    show(frame, world_->display().present(on_panel, frame.present));
+    show(frame, world_->display().present(on_panel, frame.present), expected_vsync);
     pacing_.frame_done(frame.begin, frame.present);
 }
 
-void Session::show(FrameRecord& frame, const Presentation& shown) {
+void Session::show(FrameRecord& frame, const Presentation& shown, HostTime expected_vsync) {
     if (shown.replaced && !frames_.empty()) frames_.back().drop();
     const PanelTiming& timing = world_->display().timing();
     frame.shown_vsync = shown.vsync_number;
     frame.vsync = shown.vsync;
+    // Half a period, as a window's VSyncs are no exact grid.
+    const double periods = to_seconds(shown.vsync - expected_vsync) * timing.refresh_hz;
+    frame.mis_presented = std::abs(periods) > 0.5;
     const auto eyes = eye_count(scenario_);
     for (std::size_t i = 0; i < eyes; ++i) {
         frame.photon_eye[i] = timing.photon(shown.vsync, kEyes[i]);

@@ -56,7 +56,7 @@ class Session {
     void see_through(FrameRecord& frame, FramePictures& pictures);
     void warp_to_newest(FrameRecord& frame, HostTime expected_vsync);
     void present(FrameRecord& frame, HostTime expected_vsync);
-    void show(FrameRecord& frame, const Presentation& shown);
+    void show(FrameRecord& frame, const Presentation& shown, HostTime expected_vsync);
     void judge(FrameRecord& frame, const FrameInput& input) const;
     void judge_turn(FrameRecord& frame) const;
     void match_readbacks();

@@ -36,6 +36,17 @@ TEST(VsyncCount, TellsMissesRepeatsAndDropsApart) {
     EXPECT_EQ(c.rendered, c.presented + c.dropped);
 }
 
+TEST(VsyncCount, TellsMisPresentedFramesFromLateOnes) {
+    FrameRecord foreseen = shown(12, 14);  // late, but its pose was predicted for 14
+    FrameRecord early = shown(15, 15);
+    early.mis_presented = true;
+    FrameRecord replaced = early;
+    replaced.drop();
+    const VsyncCount c = count_vsyncs({shown(10, 10), foreseen, early, replaced});
+    EXPECT_EQ(c.late, 2U) << "what was dropped is late too";
+    EXPECT_EQ(c.mis_presented, 1U);
+}
+
 TEST(VsyncCount, CountsNothingWhereNothingWasShown) {
     EXPECT_EQ(count_vsyncs({}).total, 0U);
     const VsyncCount c = count_vsyncs({dropped(3)});

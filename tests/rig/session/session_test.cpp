@@ -132,6 +132,58 @@ TEST(Session, AddsLatencyUpFromItsLinks) {
     }
 }
 
+/// Of a still head, at a cost that the frame's number says.
+RunRecord run_at(const std::function<double(std::size_t)>& cost_ms, std::int64_t frames) {
+    FakeRenderer renderer;
+    SessionHooks hooks;
+    std::size_t frame = 0;
+    hooks.fixed_ms = [&] { return cost_ms(frame++); };
+    return run(scenario_of(10.0, frames), renderer, hooks);
+}
+
+// A pose is predicted for as many VSyncs as the median of the last five frames took: of a single
+// slow frame it is wrong, of a slow stretch until three of five were slow, and then of the first
+// fast ones.
+TEST(Session, TellsFramesThatAreLateFromThoseThatCameAtAnotherVsyncThanPredicted) {
+    const RunRecord r =
+        run_at([](std::size_t i) { return i == 6              ? 20.0
+                                          : i >= 13 && i < 21 ? 30.0
+                                                              : 10.0; }, 27);
+    for (std::size_t i = 0; i < r.frames.size(); ++i) {
+        const FrameRecord& f = r.frames[i];
+        const bool slow = i == 6 || (i >= 13 && i < 21);
+        const bool not_foreseen = i == 6 || (i >= 13 && i < 16) || (i >= 21 && i < 24);
+        EXPECT_EQ(f.late(), slow) << i;
+        EXPECT_EQ(f.mis_presented, not_foreseen) << i;
+        EXPECT_EQ(f.mis_presented, f.predicted_photon != *f.photon) << i;
+    }
+    const VsyncCount c = count_vsyncs(r.frames);
+    EXPECT_EQ(c.mis_presented, 7U);
+    EXPECT_EQ(c.late, 9U);
+}
+
+TEST(Session, ShowsEveryVsyncOfItsDurationOnce) {
+    Scenario hasty = scenario_of(5.0, 60);
+    hasty.display.pacing = "free";
+    const auto uneven = [](std::size_t i) { return 3.0 + static_cast<double>(7 * i % 41); };
+    for (const RunRecord& r : {run_at(uneven, 80), run(hasty)}) {
+        const FrameRecord* first = nullptr;
+        const FrameRecord* last = nullptr;
+        std::uint64_t vsyncs = 0;
+        for (const FrameRecord& f : r.frames) {
+            if (f.dropped()) continue;
+            if (first == nullptr) first = &f;
+            last = &f;
+            vsyncs += 1U + f.missed_vsyncs;
+        }
+        const VsyncCount c = count_vsyncs(r.frames);
+        EXPECT_EQ(vsyncs, c.total) << "repeats and new frames, frame by frame";
+        EXPECT_NEAR(to_ms(*last->vsync - *first->vsync),
+                    kPeriod_ms * static_cast<double>(c.total - 1), 1e-3);
+        EXPECT_GT(c.missed + c.dropped, 10U) << "it is no smooth run";
+    }
+}
+
 TEST(Session, PredictsTheLightOfTheFrame) {
     const RunRecord r = run(scenario_of(30.0, 20));
     // From the second frame on the cost is known, so the VSync is foreseen.
