@@ -57,11 +57,12 @@ void ChangeOverTime::add(const Image& reference, const Image& test) {
             return s;
         });
         const double n = 3.0 * static_cast<double>(now_r.pixels.size());
+        newest_ = {1, sums.reference / n, sums.test / n, sums.magnitude / n, sums.square / n};
         ++sum_.pairs;
-        sum_.reference += sums.reference / n;
-        sum_.test += sums.test / n;
-        sum_.mae += sums.magnitude / n;
-        sum_.mse += sums.square / n;
+        sum_.reference += newest_.reference;
+        sum_.test += newest_.test;
+        sum_.mae += newest_.mae;
+        sum_.mse += newest_.mse;
     }
     reference_ = std::move(now_r);
     test_ = std::move(now_t);

@@ -20,11 +20,13 @@ class ChangeOverTime {
     /// Throws std::invalid_argument where a size differs from the first frame's.
     void add(const Image& reference, const Image& test);
     Change change() const;
+    /// From the last but one frame to the last; nothing of less than two frames.
+    const Change& newest() const { return newest_; }
 
   private:
     Image reference_, test_;
     int frames_ = 0;
-    Change sum_;
+    Change sum_, newest_;
 };
 
 }  // namespace foverig::metrics

@@ -35,12 +35,17 @@ void Flicker::add(const Image& reference, const Image& test) {
         for (const float r : response) sum += double{r} * double{r};
         return sum;
     });
-    mean_squares_ += squares / std::max(1.0, static_cast<double>(reference.pixels.size()));
+    newest_mean_square_ = squares / std::max(1.0, static_cast<double>(reference.pixels.size()));
+    mean_squares_ += newest_mean_square_;
     ++frames_;
 }
 
 double Flicker::rms_codes() const {
     return frames_ > 1 ? std::sqrt(mean_squares_ / frames_) : 0.0;
+}
+
+double Flicker::newest_rms_codes() const {
+    return std::sqrt(newest_mean_square_);
 }
 
 }  // namespace foverig::metrics

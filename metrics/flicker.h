@@ -19,6 +19,8 @@ class Flicker {
     void add(const Image& reference, const Image& test);
     /// 0 of less than two frames.
     double rms_codes() const;
+    /// Of the last frame alone; 0 of none.
+    double newest_rms_codes() const;
     /// Squares of the last frame's transient channel; what rms_codes takes the mean of.
     const Plane& squares() const { return squares_; }
 
@@ -26,7 +28,7 @@ class Flicker {
     TemporalFilters filters_;
     std::deque<Plane> errors_;  ///< newest first, as many as the filter reaches back
     Plane squares_;
-    double mean_squares_ = 0.0;
+    double mean_squares_ = 0.0, newest_mean_square_ = 0.0;
     int frames_ = 0;
 };
 

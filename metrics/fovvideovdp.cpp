@@ -116,6 +116,10 @@ float visible_difference(float test, float reference, float sensitivity, float m
                                             (1.0F + power_of(mask, masking_exponent)));
 }
 
+double jod_of(double difference) {
+    return 10.0 - kJodScale * std::pow(difference, kJodExponent);
+}
+
 }  // namespace
 
 FovVideoVdp::FovVideoVdp(const ScreenLight& light, std::optional<double> frames_per_s)
@@ -165,7 +169,8 @@ void FovVideoVdp::add(const Image& reference, const Image& test, const GazedView
         sum += std::pow(
             kChannelWeights[channel] * channel_difference(channel, backgrounds, view, foveated),
             kChannelNorm);
-    sum_ += std::pow(sum, 1.0 / kChannelNorm);
+    newest_ = std::pow(sum, 1.0 / kChannelNorm);
+    sum_ += newest_;
     ++frames_;
 }
 
@@ -213,8 +218,11 @@ double FovVideoVdp::channel_difference(std::size_t channel, const std::vector<Pl
 }
 
 double FovVideoVdp::jod() const {
-    if (frames_ == 0) return 10.0;
-    return 10.0 - kJodScale * std::pow(sum_ / frames_, kJodExponent);
+    return frames_ == 0 ? 10.0 : jod_of(sum_ / frames_);
+}
+
+double FovVideoVdp::newest_jod() const {
+    return jod_of(newest_);
 }
 
 }  // namespace foverig::metrics

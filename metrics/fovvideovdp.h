@@ -33,6 +33,8 @@ class FovVideoVdp {
 
     /// 10 of no frames.
     double jod() const;
+    /// Of the last frame alone, as those before it let it be seen.
+    double newest_jod() const;
     /// Per band of the last frame's sustained channel, the finest first: what jod sums.
     const std::vector<double>& band_differences() const { return bands_; }
 
@@ -46,7 +48,7 @@ class FovVideoVdp {
     std::vector<SensitivityTable> tables_;
     std::deque<Plane> references_, tests_;  ///< luminances, the newest first
     std::vector<double> bands_;
-    double sum_ = 0.0;
+    double sum_ = 0.0, newest_ = 0.0;
     int frames_ = 0;
 };
 

@@ -45,16 +45,19 @@ void require_truth(const std::vector<sweep::FlownFrame>& flight) {
         "recording that holds one");
 }
 
-/// Means of the eyes, behind the frames before.
-void add_errors(const Renderer& renderer, const sweep::ReferenceImages& references,
-                const FrameInput& input, std::map<std::string, std::vector<double>>& errors) {
-    for (const std::string& name : sweep::error_names()) errors[name].push_back(0.0);
+/// Of the next frame, means of the eyes. `of_eyes` has seen those before it.
+std::map<std::string, double> next_errors(const Renderer& renderer,
+                                          const sweep::ReferenceImages& references,
+                                          const FrameInput& input,
+                                          std::vector<sweep::FrameErrors>& of_eyes) {
+    std::map<std::string, double> errors;
     const double share = 1.0 / static_cast<double>(input.eyes.size());
     for (std::size_t eye = 0; eye < input.eyes.size(); ++eye) {
         const Image test = renderer.image(static_cast<int>(eye));
-        const auto of_eye = sweep::errors_of(references.image(input, eye), test, input.eyes[eye]);
-        for (const auto& [name, error] : of_eye) errors[name].back() += share * error;
+        const auto of_eye = of_eyes[eye].add(references.image(input, eye), test, input.eyes[eye]);
+        for (const auto& [name, error] : of_eye) errors[name] += share * error;
     }
+    return errors;
 }
 
 }  // namespace
@@ -95,6 +98,11 @@ sweep::ReferenceImages SweepRuns::references_of(const Stage& stage,
     return references;
 }
 
+bool SweepRuns::begins_stretch(std::size_t frame) const {
+    const std::size_t each = sweep_.stretches.frames;
+    return frame == 0 || (each > 0 && frame % each == 0);
+}
+
 bool SweepRuns::is_warm(std::size_t frame) const {
     const std::size_t each = sweep_.stretches.frames;
     return (each > 0 ? frame % each : frame) >= sweep_.warm_up_frames;
@@ -124,14 +132,19 @@ sweep::Accuracy SweepRuns::accuracy(std::size_t point) {
     accuracy.point = point;
     std::uint64_t sampled = 0;
     std::uint64_t all = 0;
+    std::vector<sweep::FrameErrors> of_eyes;
     for (std::size_t i = 0; i < stage.flight.size(); ++i) {
         check_stop();
         const sweep::FlownFrame& flown = stage.flight[i];
+        if (begins_stretch(i))
+            of_eyes.assign(flown.input.eyes.size(),
+                           {scenario.display.rate_hz, sweep_.error == "fvvdp"});
         const FrameStats stats = renderer->render(flown.input);
         accuracy.nan += stats.numerics.nan;
+        const auto errors = next_errors(
+            *renderer, references, sweep_.errors_at_truth ? at_truth(flown) : flown.input, of_eyes);
         if (!is_kept(i)) continue;
-        add_errors(*renderer, references, sweep_.errors_at_truth ? at_truth(flown) : flown.input,
-                   accuracy.errors);
+        for (const auto& [name, error] : errors) accuracy.errors[name].push_back(error);
         if (!is_warm(i)) continue;
         add_rays(stats.rays, 1.0 / warm_frames(stage), accuracy.rays);
         sampled += stats.sampled_pixels;

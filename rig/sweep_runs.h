@@ -40,8 +40,10 @@ class SweepRuns {
     };
     const Stage& stage_of(const Scenario& scenario);
     sweep::ReferenceImages references_of(const Stage& stage, const RenderSettings& reference);
+    /// What went before is another place of the flight.
+    bool begins_stretch(std::size_t frame) const;
     bool is_warm(std::size_t frame) const;
-    /// Of the warm-ups the first is kept, later stretches' are rendered and nothing else.
+    /// Of the warm-ups the first alone is kept in the records.
     bool is_kept(std::size_t frame) const;
     double warm_frames(const Stage& stage) const;
     void check_stop() const;

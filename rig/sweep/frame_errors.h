@@ -1,7 +1,11 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 
+#include "metrics/change.h"
+#include "metrics/flicker.h"
+#include "metrics/fovvideovdp.h"
 #include "renderer/camera.h"
 #include "renderer/image.h"
 
@@ -9,9 +13,22 @@ namespace foverig::sweep {
 
 inline constexpr double kFoveaDeg = 10.0;  ///< as `foverig diff` has it
 
-/// Each of error_names() of an eye's image against its reference, given where it looks. NaN and
-/// infinities count as metrics/finite.h has them; `fovea` and `periphery` are 0 of no pixel.
-std::map<std::string, double> errors_of(const Image& reference, const Image& test,
-                                        const EyeInput& eye);
+/// Errors of one eye's images against their references, frame by frame, given where the eye looks.
+/// NaN and infinities count as metrics/finite.h has them.
+class FrameErrors {
+  public:
+    /// `fvvdp`: that too, which takes longer than all others together.
+    FrameErrors(double frames_per_s, bool fvvdp);
+
+    /// Each of error_names() (but for `fvvdp`) of the next frame; what is of a sequence is seen
+    /// through the frames added before. `fovea` and `periphery` are 0 of no pixel.
+    std::map<std::string, double> add(const Image& reference, const Image& test,
+                                      const EyeInput& eye);
+
+  private:
+    metrics::ChangeOverTime change_;
+    metrics::Flicker flicker_;
+    std::optional<metrics::FovVideoVdp> vdp_;
+};
 
 }  // namespace foverig::sweep

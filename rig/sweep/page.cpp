@@ -55,6 +55,15 @@ std::string definition_of(const std::string& error) {
         return "mean absolute error within 10 degrees of the gaze, share of full scale";
     if (error == "periphery")
         return "mean absolute error beyond 10 degrees of the gaze, share of full scale";
+    if (error == "change")
+        return "change from frame to frame that the reference has not: mean |(T' - T) - (R' - R)| "
+               "of display codes, share of full scale";
+    if (error == "flicker")
+        return "flicker, our own definition: root mean square of the luma error's transient "
+               "channel, share of full scale";
+    if (error == "fvvdp")
+        return "10 less the JOD of FovVideoVDP (Mantiuk et al. 2021) at the gaze, frame by frame "
+               "as those before let it be seen; 1 is seen by 75 % of people";
     return "mean absolute error of display codes, share of full scale";
 }
 

@@ -93,16 +93,20 @@ std::string error_table(const json& pareto) {
     for (const json& point : pareto.at("points")) {
         const json& errors = point.at("error");
         const json& error = errors.at(axis);
-        std::vector<std::string> row{
-            point.at("point").dump(), settings_cell(point), number(error.at("mean").get<double>()),
-            interval(error.at("ci95")), number(error.at("max").get<double>())};
-        for (const char* name : {"flip", "absolute", "fovea", "periphery"})
-            row.push_back(number(errors.at(name).at("mean").get<double>()));
+        std::vector<std::string> row{point.at("point").dump(),
+                                     settings_cell(point),
+                                     number(error.at("mean").get<double>()),
+                                     interval(error.at("ci95")),
+                                     percentile(error.at("p90")),
+                                     number(error.at("max").get<double>())};
+        for (const char* name : {"flip", "absolute", "fovea", "periphery", "flicker"})
+            row.push_back(errors.contains(name) ? number(errors.at(name).at("mean").get<double>())
+                                                : "–");  // measured before there was such an error
         rows.push_back(std::move(row));
     }
-    return report::table({"point", "settings", axis, "95 %", "worst frame", "FLIP", "absolute",
-                          "fovea", "periphery"},
-                         rows, {0, 2, 3, 4, 5, 6, 7, 8});
+    return report::table({"point", "settings", axis, "95 %", "p90", "worst frame", "FLIP",
+                          "absolute", "fovea", "periphery", "flicker"},
+                         rows, {0, 2, 3, 4, 5, 6, 7, 8, 9, 10});
 }
 
 std::string pass_table(const json& pareto) {

@@ -27,6 +27,7 @@ std::map<std::string, PointErrors> errors_of(const Accuracy& accuracy, std::size
         const auto values = beyond(frames, warm_up_frames);
         if (values.empty()) continue;
         errors[name] = {{stats::mean_of(values), stats::bootstrap_interval(values, stats::mean_of)},
+                        {stats::percentile_of(values, 0.50), stats::percentile_of(values, 0.90)},
                         *std::max_element(values.begin(), values.end())};
     }
     return errors;

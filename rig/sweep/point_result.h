@@ -15,8 +15,9 @@ struct Estimated {
 };
 
 struct PointErrors {
-    Estimated mean;      ///< over the frames; interval by moving blocks of frames
-    double worst = 0.0;  ///< frame
+    Estimated mean;                              ///< over the frames; interval by moving blocks
+    std::vector<stats::Percentile> percentiles;  ///< p50, p90 of the frames
+    double worst = 0.0;                          ///< frame
 };
 
 struct PointTimes {

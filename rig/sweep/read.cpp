@@ -74,6 +74,17 @@ void check_base(const fs::path& file, const Sweep& sweep) {
                         file.string()));
 }
 
+/// Flicker is seen through a filter of a quarter of a second.
+void check_rates(const fs::path& file, const Sweep& sweep) {
+    constexpr double kLowest_hz = 8.0;
+    for (const Point& point : sweep.points)
+        if (point.scenario.display.rate_hz < kLowest_hz)
+            throw UsageError(fmt::format(
+                "{}: display.rate_hz is {}; expected at least {}, as fewer frames a second show no "
+                "flicker to measure",
+                file.string(), point.scenario.display.rate_hz, kLowest_hz));
+}
+
 toml::table parsed(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
@@ -175,6 +186,7 @@ Sweep read_sweep(const fs::path& file) {
     check_base(file, sweep);
     sweep.stretches = read_stretches(file, reader, sweep);
     read_points(file, root, reader, sweep);
+    check_rates(file, sweep);
     sweep.over = read_over(file, root, reader, sweep);
     if (const auto* paper = reader.table("paper")) sweep.paper = read_paper(file, *paper, sweep);
     return sweep;

@@ -5,8 +5,9 @@
 namespace foverig::sweep {
 
 const std::vector<std::string>& error_names() {
-    static const std::vector<std::string> names{"absolute",    "flip",  "acuity",
-                                                "flip_acuity", "fovea", "periphery"};
+    static const std::vector<std::string> names{"absolute",    "flip",    "acuity",
+                                                "flip_acuity", "fovea",   "periphery",
+                                                "change",      "flicker", "fvvdp"};
     return names;
 }
 

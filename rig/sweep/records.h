@@ -9,8 +9,8 @@
 
 namespace foverig::sweep {
 
-/// The errors of a frame, means of its eyes: absolute, flip, acuity, flip_acuity, fovea, periphery
-/// (docs/sweeps.md).
+/// The errors of a frame, means of its eyes (docs/sweeps.md). `fvvdp` is there where a sweep asks
+/// for it alone.
 const std::vector<std::string>& error_names();
 
 /// One run that nobody timed.

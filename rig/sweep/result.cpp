@@ -46,8 +46,11 @@ Json to_json(const PointTimes& times) {
 Json to_json(const std::map<std::string, PointErrors>& errors) {
     Json json = Json::object();
     for (const auto& [name, error] : errors)
-        json[name] = {
-            {"mean", error.mean.value}, {"ci95", to_json(error.mean.ci95)}, {"max", error.worst}};
+        json[name] = {{"mean", error.mean.value},
+                      {"ci95", to_json(error.mean.ci95)},
+                      {"p50", to_json(error.percentiles.at(0))},
+                      {"p90", to_json(error.percentiles.at(1))},
+                      {"max", error.worst}};
     return json;
 }
 

@@ -51,7 +51,7 @@ TEST_F(ProgramSweep, FindsThatMoreSamplesAreNearerToTheReference) {
         return result["points"][point]["error"][name]["mean"].get<double>();
     };
     for (const int p_min : {0, 2, 4}) {
-        for (const char* name : {"absolute", "flip", "acuity", "flip_acuity"})
+        for (const char* name : {"absolute", "flip", "acuity", "flip_acuity", "change", "flicker"})
             EXPECT_GT(error(p_min, name), error(p_min + 1, name)) << name;  // 1 lamp sample, 8
         EXPECT_LT(result["points"][p_min]["rays"]["shadow"],
                   result["points"][p_min + 1]["rays"]["shadow"]);
@@ -63,6 +63,23 @@ TEST_F(ProgramSweep, FindsThatMoreSamplesAreNearerToTheReference) {
     EXPECT_EQ(result["front"].size(), 1U) << "all cost the same";
     EXPECT_EQ(result["front"][0]["point"], 5);
     EXPECT_TRUE(result["cheapest_within"][1]["point"].is_null());
+}
+
+TEST_F(ProgramSweep, AsksFovVideoVdpWhereItIsTheError) {
+    ASSERT_EQ(smoke("plain").code, 0);
+    std::ofstream(root_ / "seen.toml")
+        << std::regex_replace(text_of(kSmoke), std::regex("error = \"flip\""), "error = \"fvvdp\"");
+    ASSERT_EQ(foverig({"sweep", place("seen.toml"), "--out", place("seen")}).code, 0);
+    const Json seen = pareto("seen")["points"];
+    const Json plain = pareto("plain")["points"];
+    for (std::size_t point = 0; point < seen.size(); ++point) {
+        EXPECT_GT(seen[point]["error"]["fvvdp"]["mean"], 0.0);
+        EXPECT_LT(seen[point]["error"]["fvvdp"]["mean"], 10.0);
+        EXPECT_FALSE(plain[point]["error"].contains("fvvdp")) << "it takes long";
+        EXPECT_EQ(seen[point]["error"]["flicker"], plain[point]["error"]["flicker"]);
+    }
+    EXPECT_GT(seen[0]["error"]["fvvdp"]["mean"], seen[5]["error"]["fvvdp"]["mean"]);
+    EXPECT_THAT(text_of(root_ / "seen/pareto.html"), HasSubstr("10 less the JOD"));
 }
 
 TEST_F(ProgramSweep, KilledAnywhereAndResumedGivesTheSameBytes) {
@@ -112,6 +129,36 @@ TEST_F(ProgramSweep, RendersTheReferenceOnce) {
     const Outcome again = smoke("a");
     EXPECT_THAT(again.err, testing::Not(HasSubstr("reference: frame")));
     EXPECT_EQ(count(), 1);
+}
+
+// Is the reference good enough? Where it is, twice its samples say the same.
+TEST_F(ProgramSweep, MovesNoPointBeyondItsIntervalWhereTheReferencesSamplesAreDoubled) {
+    const std::string text =
+        std::regex_replace(text_of(kSmoke), std::regex("\\nframes = 8"),
+                           "\nframes = 60\nmotion.head = \"still\"\nmotion.gaze = \"still\"\n"
+                           "camera.path = \"still\"");
+    const auto sweep = [&](const std::string& name, const std::string& samples) {
+        std::ofstream(root_ / (name + ".toml")) << std::regex_replace(
+            text, std::regex("area_samples = 64"), "area_samples = " + samples);
+        const Outcome outcome = foverig({"sweep", place(name + ".toml"), "--out", place(name)});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return pareto(name);
+    };
+    const Json once = sweep("once", "64");
+    const Json twice = sweep("twice", "128");
+    int judged = 0;
+    for (std::size_t point = 0; point < once["points"].size(); ++point)
+        for (const auto& [name, error] : once["points"][point]["error"].items()) {
+            if (error["ci95"].is_null()) continue;
+            const double moved = twice["points"][point]["error"][name]["mean"];
+            EXPECT_GE(moved, error["ci95"][0].get<double>()) << point << ' ' << name;
+            EXPECT_LE(moved, error["ci95"][1].get<double>()) << point << ' ' << name;
+            ++judged;
+        }
+    EXPECT_GT(judged, 20) << "too few frames for intervals";
+    ASSERT_EQ(once["front"].size(), twice["front"].size());
+    for (std::size_t i = 0; i < once["front"].size(); ++i)
+        EXPECT_EQ(once["front"][i]["point"], twice["front"][i]["point"]);
 }
 
 TEST_F(ProgramSweep, RefusesToGoOnWithSomethingElse) {

@@ -21,14 +21,45 @@ Image grey(float linear) {
     return {80, 80, std::vector<vec3>(80U * 80U, vec3(linear))};
 }
 
+constexpr double kRate_hz = 75.0;
+
+/// Of a frame that nothing went before.
+std::map<std::string, double> errors_of(const Image& reference, const Image& test,
+                                        const EyeInput& eye) {
+    return FrameErrors(kRate_hz, true).add(reference, test, eye);
+}
+
 TEST(FrameErrors, AreNothingBetweenEqualImagesAndOneBetweenBlackAndWhite) {
     const EyeInput eye = eye_looking({0.0F, 0.0F, -1.0F});
     const auto none = errors_of(grey(0.4F), grey(0.4F), eye);
     const auto all = errors_of(grey(0.0F), grey(1.0F), eye);
-    for (const std::string& name : error_names()) {
-        EXPECT_EQ(none.at(name), 0.0) << name;
+    for (const std::string& name : error_names()) EXPECT_EQ(none.at(name), 0.0) << name;
+    for (const char* name : {"absolute", "flip", "acuity", "flip_acuity", "fovea", "periphery"})
         EXPECT_NEAR(all.at(name), 1.0, 0.04) << name;  // FLIP of it is 0.967
+    EXPECT_EQ(all.at("change"), 0.0) << "nothing went before";
+    EXPECT_LT(all.at("flicker"), 0.02)
+        << "before it all was as in it; the filter's sum is hardly 0";
+    EXPECT_EQ(FrameErrors(kRate_hz, false).add(grey(0.0F), grey(1.0F), eye).count("fvvdp"), 0U);
+}
+
+// The reference stands still; the other jumps between two greys, or keeps the brighter.
+TEST(FrameErrors, SeeAFlickerThatNoStillShows) {
+    const EyeInput eye = eye_looking({0.0F, 0.0F, -1.0F});
+    FrameErrors steady(kRate_hz, true);
+    FrameErrors jumping(kRate_hz, true);
+    std::map<std::string, double> still, flickering;
+    for (int i = 0; i < 24; ++i) {
+        still = steady.add(grey(0.2F), grey(0.3F), eye);
+        flickering = jumping.add(grey(0.2F), grey(i / 8 % 2 == 0 ? 0.3F : 0.133F), eye);
+        if (i == 8) {
+            EXPECT_NEAR(flickering.at("change"), (148.877 - 102.048) / 255.0, 1e-3)
+                << "sRGB codes of 0.3 and 0.133";
+            EXPECT_EQ(still.at("change"), 0.0);
+        }
     }
+    EXPECT_NEAR(still.at("absolute"), flickering.at("absolute"), 0.02) << "codes are as far off";
+    EXPECT_LT(still.at("flicker"), 0.02 * still.at("absolute"));
+    EXPECT_GT(flickering.at("flicker"), 10.0 * still.at("flicker"));
 }
 
 TEST(FrameErrors, CountMoreWhereTheEyeLooks) {

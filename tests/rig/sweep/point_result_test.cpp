@@ -44,6 +44,7 @@ TEST(PointErrors, AreMeansBeyondTheWarmUp) {
     const auto errors = errors_of(accuracy, 1);
     EXPECT_NEAR(errors.at("flip").mean.value, 0.2, 1e-15);
     EXPECT_EQ(errors.at("flip").worst, 0.3);
+    EXPECT_FALSE(errors.at("flip").percentiles[0].estimate.has_value()) << "nor have they a median";
     EXPECT_FALSE(errors.at("flip").mean.ci95.has_value()) << "three frames are too few";
     for (const double noise : stats::test::autoregressive(200, 0.3, 1))
         accuracy.errors["flip"].push_back(0.2 + 0.01 * noise);
@@ -52,6 +53,9 @@ TEST(PointErrors, AreMeansBeyondTheWarmUp) {
     EXPECT_LT(many.ci95->low, 0.2);
     EXPECT_GT(many.ci95->high, 0.2);
     EXPECT_LT(many.ci95->high - many.ci95->low, 0.01);
+    const auto p90 = errors_of(accuracy, 1).at("flip").percentiles[1];
+    ASSERT_TRUE(p90.estimate.has_value());
+    EXPECT_GT(p90.estimate->value, many.value);
 }
 
 }  // namespace

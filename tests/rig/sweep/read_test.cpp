@@ -92,6 +92,8 @@ TEST_F(ReadSweep, TakesABaseAndAReference) {
 
 TEST_F(ReadSweep, SaysWhatIsWrongAndWhere) {
     const std::string knobs = "[knobs]\nfoveation.p_min = [0.2]\n";
+    EXPECT_THAT(complaint("[scenario]\ndisplay.rate_hz = 5.0\n" + knobs),
+                HasSubstr("display.rate_hz is 5; expected at least 8"));
     EXPECT_THAT(complaint("[knobs]\nfoveation.p_mim = [0.2]\n"),
                 HasSubstr("my.toml:2: unknown knob foveation.p_mim; the nearest scenario key is "
                           "foveation.p_min"));
