@@ -97,6 +97,17 @@ std::string table(const std::vector<std::string>& head,
     return html + "</tbody></table></div>";
 }
 
+std::string page_head(std::string_view title, std::string_view style) {
+    constexpr const char* kNothingFetched =
+        "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+    return fmt::format(
+        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta "
+        "http-equiv=\"Content-Security-Policy\" content=\"{}\"><meta name=\"viewport\" "
+        "content=\"width=device-width, initial-scale=1\"><title>{}</title>"
+        "<style>{}</style></head><body><main>\n",
+        kNothingFetched, escaped(title), style);
+}
+
 std::string section(std::string_view title, std::string_view note, std::string_view body) {
     const std::string lead = note.empty() ? "" : fmt::format("<p class=\"note\">{}</p>", note);
     return fmt::format("<section><h2>{}</h2>{}{}</section>\n", title, lead, body);

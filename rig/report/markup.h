@@ -27,6 +27,9 @@ std::string table(const std::vector<std::string>& head,
                   const std::vector<std::vector<std::string>>& rows,
                   const std::vector<std::size_t>& numeric = {});
 
+/// All before the body's content: the browser itself refuses whatever does not lie in the page.
+std::string page_head(std::string_view title, std::string_view style);
+
 /// <section> with a heading, a sentence on how to read it, and a body.
 std::string section(std::string_view title, std::string_view note, std::string_view body);
 

@@ -22,10 +22,6 @@ namespace {
 
 constexpr std::size_t kMostGalleryBytes = 5'000'000;  // of a page that stays below 6 MB
 
-/// The browser itself refuses whatever does not lie in the page.
-constexpr const char* kNothingFetched =
-    "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
-
 std::string column_listing() {
     std::vector<std::vector<std::string>> rows;
     for (const Column& column : frame_columns()) {
@@ -51,12 +47,7 @@ std::string repeating(const RunData& run) {
 }  // namespace
 
 std::string page(const RunData& run) {
-    std::string html = fmt::format(
-        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta "
-        "http-equiv=\"Content-Security-Policy\" content=\"{}\"><meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\"><title>foverig · {}</title>"
-        "<style>{}</style></head><body><main>\n",
-        kNothingFetched, escaped(title(run)), kStyle);
+    std::string html = page_head("foverig · " + title(run), kStyle);
     html += overview(run);
     html += section("Frame times",
                     "Work of each frame, from its begin to its hand-over to the "

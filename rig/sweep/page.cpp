@@ -168,12 +168,9 @@ std::string case_sections(const json& pareto, const std::string& axis) {
 
 std::string page(const json& pareto) {
     const auto axis = pareto.at("error").get<std::string>();
-    std::string html = fmt::format(
-        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\"><title>foverig sweep · {}</title>"
-        "<style>{}{}{}</style></head><body><main>\n",
-        escaped(pareto.at("sweep").at("name").get<std::string>()), report::kStyle, kPlotStyle,
-        kPaperStyle);
+    std::string html =
+        report::page_head("foverig sweep · " + pareto.at("sweep").at("name").get<std::string>(),
+                          std::string(report::kStyle) + kPlotStyle + kPaperStyle);
     html += head(pareto);
     html += knob_section(pareto, axis);
     html += pareto.contains("cases") ? case_sections(pareto, axis) : front_sections(pareto, axis);

@@ -20,18 +20,21 @@ using test::text_of;
 using testing::HasSubstr;
 using testing::Not;
 
-class ReportInBrowser : public test::ProgramBench {
+class PageInBrowser : public test::ProgramBench {
   protected:
     void SetUp() override {
         ProgramBench::SetUp();
         if (std::system("chromium --version >/dev/null 2>&1") != 0) {
             GTEST_SKIP() << "no chromium here";
         }
-        const auto run = small_run("run", {"--frames", "12"});
-        ASSERT_EQ(run.code, 0) << run.err;
-        open(root_ / "run/report.html");
+        const fs::path page = make();
+        if (HasFailure()) return;
+        open(page);
         if (dom_.empty()) GTEST_SKIP() << "chromium opens nothing here: " << said_.substr(0, 300);
     }
+
+    /// The page, made by the program.
+    virtual fs::path make() const = 0;
 
     /// The document once its scripts have run, and what the console said.
     void open(const fs::path& page) {
@@ -47,6 +50,32 @@ class ReportInBrowser : public test::ProgramBench {
         said_ = text_of(root_ / "said");
     }
 
+    void expect_quiet_page_that_refuses_to_fetch(const fs::path& page) {
+        EXPECT_TRUE(opened_);
+        EXPECT_THAT(said_, Not(HasSubstr("CONSOLE")));
+        EXPECT_THAT(dom_, HasSubstr("</html>"));
+
+        // The page's own policy makes of every request an error that would be seen here.
+        std::string html = text_of(page);
+        html.insert(html.find("<main>"), "<img src=\"https://example.org/a.png\">");
+        std::ofstream(root_ / "fetching.html") << html;
+        open(root_ / "fetching.html");
+        EXPECT_THAT(said_, HasSubstr("CONSOLE"));
+        EXPECT_THAT(said_, HasSubstr("Content Security Policy"));
+    }
+
+    bool opened_ = false;
+    std::string dom_, said_;
+};
+
+class ReportInBrowser : public PageInBrowser {
+  protected:
+    fs::path make() const override {
+        const auto run = small_run("run", {"--frames", "12"});
+        EXPECT_EQ(run.code, 0) << run.err;
+        return root_ / "run/report.html";
+    }
+
     /// Of <div id="frame-strip" data-NAME="...">.
     double strip_value(const std::string& name) const {
         std::smatch found;
@@ -55,23 +84,29 @@ class ReportInBrowser : public test::ProgramBench {
         EXPECT_TRUE(there) << name;
         return there ? std::stod(found[1]) : -1.0;
     }
+};
 
-    bool opened_ = false;
-    std::string dom_, said_;
+class SweepInBrowser : public PageInBrowser {
+  protected:
+    fs::path make() const override {
+        const auto sweep = test::foverig({"sweep", FOVERIG_SOURCE_DIR "/sweeps/smoke.toml", "--out",
+                                          (root_ / "sweep").string()});
+        EXPECT_EQ(sweep.code, 0) << sweep.err;
+        return root_ / "sweep/pareto.html";
+    }
 };
 
 TEST_F(ReportInBrowser, HasNoErrorAndFetchesNothing) {
-    EXPECT_TRUE(opened_);
-    EXPECT_THAT(said_, Not(HasSubstr("CONSOLE")));
-    EXPECT_THAT(dom_, HasSubstr("</html>"));
+    expect_quiet_page_that_refuses_to_fetch(root_ / "run/report.html");
+}
 
-    // The page's own policy makes of every request an error that would be seen here.
-    std::string html = text_of(root_ / "run/report.html");
-    html.insert(html.find("<main>"), "<img src=\"https://example.org/a.png\">");
-    std::ofstream(root_ / "fetching.html") << html;
-    open(root_ / "fetching.html");
-    EXPECT_THAT(said_, HasSubstr("CONSOLE"));
-    EXPECT_THAT(said_, HasSubstr("Content Security Policy"));
+TEST_F(SweepInBrowser, HasNoErrorFetchesNothingAndShowsTheJsonsNumbers) {
+    const auto pareto = nlohmann::json::parse(text_of(root_ / "sweep/pareto.json"));
+    const std::string axis = pareto["error"];
+    for (const auto& point : pareto["points"])
+        EXPECT_THAT(dom_, HasSubstr(number(point["error"][axis]["mean"].get<double>())));
+    EXPECT_THAT(dom_, HasSubstr("class=\"default-ring\""));
+    expect_quiet_page_that_refuses_to_fetch(root_ / "sweep/pareto.html");
 }
 
 TEST_F(ReportInBrowser, ShowsTheSummarysNumbers) {
