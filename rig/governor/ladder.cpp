@@ -81,13 +81,8 @@ Rung rung_from(const Scenario& scenario, const std::string& text) {
     return rung_of(scenario, values, ms);
 }
 
-Ladder ladder_from_front(const Scenario& scenario) {
-    const std::string& file = scenario.governor.front;
-    std::ifstream stream(file);
-    const json pareto = json::parse(stream, nullptr, false);
-    if (!stream || !pareto.is_object() || pareto.value("schema", "") != "foverig.pareto/1")
-        throw InputError(fmt::format(
-            "governor.front: {}: cannot be read; expected the pareto.json of a sweep", file));
+/// Throws json::exception where it is none.
+Ladder ladder_of(const Scenario& scenario, const json& pareto) {
     Ladder ladder;
     ladder.error_name = pareto.at("error").get<std::string>();
     for (const json& place : pareto.at("front")) {
@@ -99,6 +94,28 @@ Ladder ladder_from_front(const Scenario& scenario) {
         ladder.rungs.back().error = place.at("error").get<double>();
     }
     return ladder;
+}
+
+Ladder ladder_from_front(const Scenario& scenario) {
+    const std::string& file = scenario.governor.front;
+    std::ifstream stream(file);
+    const json pareto = json::parse(stream, nullptr, false);
+    if (!stream || !pareto.is_object() || pareto.value("schema", "") != "foverig.pareto/1")
+        throw InputError(fmt::format(
+            "governor.front: {}: cannot be read; expected the pareto.json of a sweep", file));
+    if (pareto.contains("cases"))
+        throw UsageError(fmt::format(
+            "governor.front: {}: shows several scenes, whose settings are no choice between each "
+            "other; expected a sweep with [knobs]",
+            file));
+    try {
+        return ladder_of(scenario, pareto);
+    } catch (const json::exception& error) {
+        throw InputError(fmt::format(
+            "governor.front: {}: is not as a sweep writes it ({}); expected its pareto.json as it "
+            "was",
+            file, error.what()));
+    }
 }
 
 }  // namespace

@@ -72,6 +72,10 @@ TEST(Ladder, TakesTheFrontOfASweep) {
     Scenario scenario;
     scenario.governor.front = file.string();
     EXPECT_THAT(complaint_of(scenario), HasSubstr("expected the pareto.json of a sweep"));
+    std::ofstream(file) << R"({"schema": "foverig.pareto/1", "front": []})";
+    EXPECT_THAT(complaint_of(scenario), HasSubstr("is not as a sweep writes it"));
+    std::ofstream(file) << R"({"schema": "foverig.pareto/1", "cases": [], "front": []})";
+    EXPECT_THAT(complaint_of(scenario), HasSubstr("shows several scenes"));
     std::ofstream(file) << R"({"schema": "foverig.pareto/1", "error": "acuity",
         "points": [{"settings": {"foveation.p_min": 0.3}}, {"settings": {"foveation.p_min": 0.01}}],
         "front": [{"point": 1, "time_ms": 5.5, "error": 0.02},
