@@ -71,7 +71,8 @@ std::string page(const RunData& run) {
         html += section("Latency by phase of motion", "", phases);
     html += section("The worst frames, link by link",
                     "The longest beyond the warm-up, in milliseconds: from the inertial sample to "
-                    "the light, and the pass that lies furthest above what it usually takes.",
+                    "the light, how old the gaze was then, and the pass that lies furthest above "
+                    "what it usually takes.",
                     worst_frames(run));
     html += section("What was rendered, and why",
                     "The effect plan: only what this scene and these "

@@ -81,13 +81,14 @@ std::string worst_frames(const RunData& run) {
             const auto to = frames.column(link.to)[frame];
             row.push_back(from && to ? number((*to - *from) * 1e-6) : "–");
         }
+        row.push_back(number(frames.column("gaze_to_photon_ms")[frame]));
         row.push_back(blamed(frames, frame, first));
         rows.push_back(std::move(row));
     }
     if (rows.empty()) return "<p>No frame was rendered.</p>";
     return table({"frame", "ms", "above p50", "came", "transport", "age", "render", "lens", "wait",
-                  "scan-out", "furthest above its median"},
-                 rows, {0, 1, 2, 4, 5, 6, 7, 8, 9});
+                  "scan-out", "gaze's age", "furthest above its median"},
+                 rows, {0, 1, 2, 4, 5, 6, 7, 8, 9, 10});
 }
 
 }  // namespace foverig::report
