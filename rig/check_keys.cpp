@@ -31,8 +31,20 @@ FrameRecord whole_frame() {
 nlohmann::json summary_of_any_run(const Scenario& scenario) {
     RunRecord run;
     run.frames = {whole_frame()};
-    run.devices = {{"dk2", {}, {}}, {"gaze", {}, {}}};
-    if (scenario.tracking.camera) run.devices.push_back({"camera", {}, {}});
+    run.devices = {
+        {.name = "dk2",
+         .counts = {},
+         .rate_hz = {},
+         .troubles = {{"control_failures", 0}, {"format_switches", 0}}},
+        {.name = "gaze",
+         .counts = {},
+         .rate_hz = {},
+         .troubles = {{"missed_exposures", 0}, {"dropped_by_device", 0}, {"control_failures", 0}}}};
+    if (scenario.tracking.camera)
+        run.devices.push_back({.name = "camera",
+                               .counts = {},
+                               .rate_hz = {},
+                               .troubles = {{"frames_of_no_known_flash", 0}}});
     run.recording.emplace();
     run.display.emplace();
     if (!scenario.governor.front.empty() || !scenario.governor.settings.empty())
