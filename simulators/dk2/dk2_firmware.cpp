@@ -23,7 +23,7 @@ SimulatedDeviceClock device_clock(const Dk2Firmware::Settings& s) {
 
 FeatureBank::StoredOffset stored_offset(const Dk2Faults& faults, const ImuModel& imu) {
     if (faults.temperature_table <= 0.0) return {};
-    return [imu](double celsius) { return imu.gyro_bias_rad_s(celsius); };
+    return [imu](double celsius) { return imu.gyro_at_rest_rad_s(celsius); };
 }
 
 // The firmware shows the pattern's frame first and steps on after it.
@@ -37,7 +37,7 @@ std::uint8_t pattern_of(const dk2::TrackingReport& tracking, std::int64_t exposu
 Dk2Firmware::Dk2Firmware(const Settings& settings)
     : settings_(settings),
       imu_(settings.faults, settings.seed),
-      features_(settings.plugged_in, stored_offset(settings.faults, imu_)),
+      features_(settings.plugged_in, imu_.factory().report(), stored_offset(settings.faults, imu_)),
       clock_(device_clock(settings)),
       jitter_(settings.seed, 610),
       stamps_(settings.seed, 611),
@@ -75,8 +75,9 @@ void Dk2Firmware::advance(HostTime until, ReportWire& wire) {
 
 void Dk2Firmware::sample() {
     const HostTime now = next_sample_;
-    const auto slot = imu_.measure(settings_.head->at(to_seconds(now.time_since_epoch())), samples_,
-                                   to_seconds(now - settings_.plugged_in), features_.range());
+    auto slot = imu_.measure(settings_.head->at(to_seconds(now.time_since_epoch())), samples_,
+                             to_seconds(now - settings_.plugged_in), features_.range());
+    if (features_.config().use_calibration) slot = imu_.factory().corrected(slot);
     packer_.add(slot, static_cast<std::uint16_t>(samples_), stamp_us(now));
     next_sample_ = sample_time(++samples_);
     queue_if_due(now);

@@ -158,7 +158,7 @@ Result<std::vector<std::byte>> FeatureBank::answer(std::uint8_t id) {
         case dk2::ConfigReport::kId:
             return to_vector(config_.encode());
         case dk2::FactoryCalibrationReport::kId:
-            return to_vector(dk2::FactoryCalibrationReport{}.encode());
+            return to_vector(factory_.encode());
         case dk2::RangeReport::kId:
             return to_vector(range_.encode());
         case dk2::RegisterReport::kId:

@@ -20,8 +20,9 @@ class FeatureBank {
 
     /// A device that was plugged in at `now`, with the firmware's defaults. Without `stored` its
     /// temperature table is empty.
-    explicit FeatureBank(HostTime now, StoredOffset stored = {})
-        : stored_offset_(std::move(stored)), last_set_(now) {}
+    FeatureBank(HostTime now, const dk2::FactoryCalibrationReport& factory,
+                StoredOffset stored = {})
+        : factory_(factory), stored_offset_(std::move(stored)), last_set_(now) {}
 
     /// `report` is the whole report, id included. What the firmware would write to its memory for
     /// good (calibrations, positions, serials) is refused, and so is the way into its boot loader.
@@ -45,6 +46,7 @@ class FeatureBank {
     Result<std::vector<std::byte>> answer(std::uint8_t id);
     dk2::TemperatureReport temperature_cell(std::size_t cell) const;
 
+    dk2::FactoryCalibrationReport factory_;
     StoredOffset stored_offset_;
     HostTime last_set_;
     std::uint16_t last_command_id_ = 0;

@@ -38,7 +38,8 @@ dvec3 to_steps(const dvec3& v, double step, double range) {
 
 }  // namespace
 
-ImuModel::ImuModel(const Dk2Faults& faults, std::uint64_t seed) : faults_(faults), seed_(seed) {
+ImuModel::ImuModel(const Dk2Faults& faults, std::uint64_t seed)
+    : faults_(faults), seed_(seed), factory_(faults.factory, seed) {
     if (faults.scale > 0.0) {
         gyro_scale_ = near_identity(Draws(seed, kGyroScale), faults.scale);
         accel_scale_ = near_identity(Draws(seed, kAccelScale), faults.scale);
@@ -58,6 +59,10 @@ double ImuModel::temperature_c(double running_s) const {
 dvec3 ImuModel::gyro_bias_rad_s(double temperature_c) const {
     return bias_rad_s_ +
            glm::radians(faults_.temperature_drift) * (temperature_c - kCold_c) * drift_sign_;
+}
+
+dvec3 ImuModel::gyro_at_rest_rad_s(double temperature_c) const {
+    return factory_.raw_gyro(gyro_bias_rad_s(temperature_c));
 }
 
 dvec3 ImuModel::noise(std::uint64_t index, std::uint64_t stream, double sigma) const {
@@ -92,6 +97,8 @@ dk2::InertialSlot ImuModel::measure(const motion::HeadState& head, std::uint64_t
         gyro += noise(index, kGyroNoise, faults_.noise * glm::radians(kGyroNoise_deg_s));
         accel += noise(index, kAccelNoise, faults_.noise * kAccelNoise_m_s2);
     }
+    gyro = factory_.raw_gyro(gyro);
+    accel = factory_.raw_accel(accel);
     if (faults_.quantise > 0.0) {
         const double gyro_share = range.gyro_deg_s / kGyroRange_deg_s;
         const double accel_share = range.accel_g / kAccelRange_g;

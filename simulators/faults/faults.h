@@ -13,6 +13,7 @@ struct Dk2Faults {
     double noise = 0.0;              ///< times the chip's density
     double low_pass = 0.0;           ///< Hz, gyro
     double quantise = 0.0;           ///< steps of the chip, and its ranges' ends
+    double factory = 0.0;            ///< share of the factory's limits; report 3 corrects it
     double bias = 0.0;               ///< deg/s, gyro, per axis
     double scale = 0.0;              ///< %, both sensors, per matrix element
     double temperature_drift = 0.0;  ///< deg/s per degree C, gyro

@@ -294,5 +294,28 @@ TEST(SimulatedDk2, RunsOnAWallClockToo) {
     EXPECT_GE(packets, 19);  // however late the machine is, none is skipped
 }
 
+// DEVICES.md 1.5: the limits of factory.c; the firmware corrects unless its host says not to.
+TEST(SimulatedDk2, TellsTheFactoryCalibrationOfItsChips) {
+    Dk2Bench right, made(with("factory", 1.0, 3));
+    const auto report = made.get<dk2::FactoryCalibrationReport>();
+    const auto calibration = dk2::FactoryCalibration::from(report);
+    const dvec3 zero_rate_rad_s = dk2::to_si(report.gyro_offset);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_LE(std::abs(zero_rate_rad_s[i]), glm::radians(10.0));
+        EXPECT_GT(std::abs(zero_rate_rad_s[i]), 0.0);
+        EXPECT_LE(std::abs(calibration.gyro_from_raw[i][i] - 1.0), 0.03);
+        EXPECT_LE(std::abs(calibration.accel_from_raw[i][i] - 1.0), i == 2 ? 0.15 : 0.08);
+    }
+    const auto gyro_of = [](Dk2Bench& bench, int ms) {
+        return dk2::to_si(bench.reports_until(at(milliseconds(ms))).back().report.slots[0].gyro);
+    };
+    const double as_it_comes_rad_s = glm::distance(gyro_of(right, 50), gyro_of(made, 50));
+    EXPECT_LT(as_it_comes_rad_s, 2e-4);
+    for (Dk2Bench* bench : {&right, &made})
+        ASSERT_TRUE(bench->set(dk2::ConfigReport{.use_calibration = false}));
+    EXPECT_GT(glm::distance(gyro_of(right, 100), gyro_of(made, 100)),
+              0.8 * glm::length(zero_rate_rad_s));
+}
+
 }  // namespace
 }  // namespace foverig

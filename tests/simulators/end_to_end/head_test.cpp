@@ -105,6 +105,15 @@ TEST(HeadEndToEnd, SamplesAreTheTruthToQuantisation) {
     }
 }
 
+// Up to 10 deg/s and 3 % of the gyro, 0.18 g and 15 % of the accelerometer; what remains is
+// rounding.
+TEST(HeadEndToEnd, TheFactoryCalibrationTakesOutWhatTheChipsAreOffBy) {
+    const Outcome outcome =
+        outcome_of({.motion = "look", .faults = typical("factory"), .seconds = 5});
+    EXPECT_LE(outcome.worst_gyro_error_rad_s, 1.0e-4);
+    EXPECT_LT(outcome.quantile(0.5), 0.05);
+}
+
 // Seen: look 0.030 degrees, step 0.0001, stress 0.444, extreme 0.887; nearly all of it is what 20
 // ms at constant angular acceleration cannot know.
 TEST(HeadEndToEnd, PredictionKeepsUpWithTheMotion) {
