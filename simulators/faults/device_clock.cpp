@@ -19,6 +19,12 @@ SimulatedDeviceClock::SimulatedDeviceClock(const Settings& settings, std::uint64
     }
 }
 
+void SimulatedDeviceClock::drift(HostTime now, double ppm) {
+    const std::int64_t before_ns = at_ns(now);
+    settings_.drift_ppm = ppm;
+    jump_ += Nanoseconds(before_ns - at_ns(now));
+}
+
 std::int64_t SimulatedDeviceClock::at_ns(HostTime t) const {
     const Nanoseconds since = t - settings_.start;
     double ahead_s = settings_.start_s + settings_.drift_ppm * 1e-6 * to_seconds(since);

@@ -22,6 +22,8 @@ class SimulatedDeviceClock {
     std::int64_t at_ns(HostTime t) const;
     /// The clock jumps by this much now and stays ahead.
     void jump(Nanoseconds step) { jump_ += step; }
+    /// From `now` on it drifts by this much.
+    void drift(HostTime now, double ppm);
 
   private:
     Settings settings_;

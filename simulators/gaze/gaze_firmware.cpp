@@ -73,6 +73,20 @@ void GazeFirmware::advance(HostTime until, std::deque<Packet>& wire) {
     }
 }
 
+/// Exposures go on from the next one, at the new rate.
+void GazeFirmware::drift(double ppm, HostTime now) {
+    const HostTime next = exposure_time(exposures_);
+    settings_.faults.clock_drift = ppm;
+    clock_.drift(now, ppm);
+    started_ += next - exposure_time(exposures_);
+}
+
+std::optional<gaze::EyeCause> GazeFirmware::unseen(HostTime now) const {
+    if (now < orders_.eyes_lost_until) return gaze::EyeCause::simulated_fault;
+    if (now < orders_.blink_until) return gaze::EyeCause::blink;
+    return std::nullopt;
+}
+
 void GazeFirmware::jump_clock(Nanoseconds step) {
     clock_.jump(step);
     next_flags_ |= gaze::frame_flag::clock_reset;
@@ -86,8 +100,8 @@ bool GazeFirmware::happens(double chance, std::uint64_t stream) const {
 void GazeFirmware::expose() {
     const HostTime now = exposure_time(exposures_);
     const bool low_pass = (status_.options & gaze::option::binocular_low_pass) != 0;
-    gaze::SampleFrame frame = tracker_.measure(to_seconds(now.time_since_epoch()), rate_hz_,
-                                               low_pass, now < orders_.eyes_lost_until);
+    gaze::SampleFrame frame =
+        tracker_.measure(to_seconds(now.time_since_epoch()), rate_hz_, low_pass, unseen(now));
     const bool lost = happens(settings_.faults.lost_exposure, kLost);
     HostTime queue_at = now + latency(exposures_);
     if (!measured_.empty()) queue_at = std::max(queue_at, measured_.back().at);

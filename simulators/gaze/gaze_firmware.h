@@ -34,8 +34,7 @@ class GazeFirmware {
     HostTime next_event() const;
 
     Status set(std::uint8_t request, std::uint16_t value, Bytes data, HostTime now);
-    Result<std::vector<std::byte>> get(std::uint8_t request, std::uint16_t value,
-                                       HostTime now) const;
+    Result<std::vector<std::byte>> get(std::uint8_t request, std::uint16_t value, HostTime now);
 
   private:
     struct Queued {
@@ -50,10 +49,14 @@ class GazeFirmware {
     /// SIM_FAULT's orders that are still to be carried out.
     struct Orders {
         int drop = 0, spoil = 0, repeat = 0;
-        HostTime eyes_lost_until{};
+        int stall = 0;  ///< requests
+        HostTime eyes_lost_until{}, blink_until{};
     };
 
     static Error stall(const std::string& why);
+    bool stalls_as_ordered();
+    void drift(double ppm, HostTime now);
+    std::optional<gaze::EyeCause> unseen(HostTime now) const;
     bool running() const;
     Status start(HostTime now);
     void stop();

@@ -1,6 +1,8 @@
 // GazeFirmware's side of the vendor requests (DEVICES.md 4.5.6).
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "simulators/gaze/gaze_firmware.h"
 
 namespace foverig {
@@ -12,6 +14,7 @@ namespace request = gaze::request;
 
 constexpr auto kTimeJumpAfter = std::chrono::seconds(5);
 constexpr std::uint64_t kSessionStream = 820;
+constexpr float kMostDrift_ppm = 1e5F;
 
 }  // namespace
 
@@ -73,12 +76,27 @@ Status GazeFirmware::order(const gaze::SimFault& fault, HostTime now) {
         case gaze::FaultKind::eye_lost:
             orders_.eyes_lost_until = now + std::chrono::milliseconds(fault.duration_ms);
             return Done{};
+        case gaze::FaultKind::blink:
+            orders_.blink_until = now + std::chrono::milliseconds(fault.duration_ms);
+            return Done{};
+        case gaze::FaultKind::stall:
+            orders_.stall += fault.count;
+            return Done{};
+        case gaze::FaultKind::clock_drift:
+            if (!(std::abs(fault.p1) <= kMostDrift_ppm)) return stall("a drift that no clock has");
+            drift(static_cast<double>(fault.p1), now);
+            return Done{};
         default:
             return stall(fmt::format("SIM_FAULT {}", static_cast<int>(fault.kind)));
     }
 }
 
+bool GazeFirmware::stalls_as_ordered() {
+    return orders_.stall > 0 && orders_.stall-- > 0;
+}
+
 Status GazeFirmware::set(std::uint8_t id, std::uint16_t value, Bytes data, HostTime now) {
+    if (stalls_as_ordered()) return stall("as it was ordered to");
     switch (id) {
         case request::start:
             return start(now);
@@ -120,7 +138,8 @@ Status GazeFirmware::set(std::uint8_t id, std::uint16_t value, Bytes data, HostT
 }
 
 Result<std::vector<std::byte>> GazeFirmware::get(std::uint8_t id, std::uint16_t value,
-                                                 HostTime now) const {
+                                                 HostTime now) {
+    if (stalls_as_ordered()) return stall("as it was ordered to");
     switch (id) {
         case request::get_info:
             return to_vector(

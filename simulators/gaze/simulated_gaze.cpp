@@ -78,6 +78,14 @@ Status SimulatedGaze::control_set(std::uint8_t request, std::uint16_t value,
         plug_in(now);
         return Done{};
     }
+    if (request == gaze::request::sim_fault) {
+        const auto fault = gaze::SimFault::decode(data);
+        if (fault && fault->kind == gaze::FaultKind::unplug) {
+            unplugged_at_ = now;
+            plugged_again_at_ = now + std::chrono::milliseconds(fault->duration_ms);
+            return Done{};
+        }
+    }
     return firmware_->set(request, value, data, now);
 }
 

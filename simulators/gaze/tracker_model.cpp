@@ -143,14 +143,16 @@ TrackerModel::Gaze TrackerModel::measured_deg(const Gaze& true_deg, double ecc_d
     return measured;
 }
 
-SampleFrame TrackerModel::measure(double t_s, double rate_hz, bool low_pass, bool lost) {
+SampleFrame TrackerModel::measure(double t_s, double rate_hz, bool low_pass,
+                                  std::optional<gaze::EyeCause> unseen) {
     const motion::EyeState state = state_at(t_s);
     const dvec2 true_deg = motion::gaze_of(state.direction);
     const Gaze true_eye_deg{motion::gaze_of(eye_direction(Side::left, state)),
                             motion::gaze_of(eye_direction(Side::right, state))};
     Gaze eye_deg = measured_deg(true_eye_deg, glm::length(true_deg), t_s, samples_++);
     raw_deg_.reset();
-    if (lost) return unseen_sample(gaze::EyeCause::simulated_fault, state.openness);
+    if (unseen)
+        return unseen_sample(*unseen, *unseen == gaze::EyeCause::blink ? 0.0 : state.openness);
     if (state.openness < kInvalidBelow) return unseen_sample(gaze::EyeCause::blink, state.openness);
 
     const bool lid_moves = state.openness < 1.0 && near_blink(t_s, 1.0 / rate_hz);

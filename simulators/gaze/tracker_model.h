@@ -26,8 +26,9 @@ class TrackerModel {
     TrackerModel(const motion::EyeMotion& eyes, const GazeFaults& faults, std::uint64_t seed);
 
     /// What one exposure gives; call in order of time, as the noise remembers. Header, times and
-    /// counters are the caller's. `lost`: the tracker sees no eye.
-    gaze::SampleFrame measure(double t_s, double rate_hz, bool low_pass, bool lost);
+    /// counters are the caller's. `unseen`: the tracker sees no eye, and why.
+    gaze::SampleFrame measure(double t_s, double rate_hz, bool low_pass,
+                              std::optional<gaze::EyeCause> unseen);
 
     using Gaze = std::array<dvec2, 2>;  ///< degrees, left and right
     /// Of the last exposure, before any calibration; absent where the eyes were not seen well.

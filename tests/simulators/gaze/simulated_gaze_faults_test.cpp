@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tests/simulators/gaze/gaze_bench.h"
 
@@ -127,7 +128,63 @@ TEST(SimulatedGaze, TakesOrdersForFaults) {
         invalid += (arrived.frame.status & 1) == 0 ? 1 : 0;
     }
     EXPECT_EQ(invalid, 12);
-    EXPECT_FALSE(send(gaze::FaultKind::stall, 1, 0));
+    EXPECT_FALSE(send(static_cast<gaze::FaultKind>(10), 1, 0));
+}
+
+Status order(GazeBench& tracker, const gaze::SimFault& fault) {
+    return tracker.order(request::sim_fault, 0, fault.encode());
+}
+
+TEST(SimulatedGaze, BlinksWhenOrdered) {
+    GazeBench tracker;
+    ASSERT_TRUE(tracker.order(request::start));
+    (void)tracker.samples_until(at(milliseconds(990)));
+    ASSERT_TRUE(order(tracker, {.kind = gaze::FaultKind::blink, .duration_ms = 200}));
+    int blinks = 0;
+    for (const auto& arrived : tracker.samples_until(at(seconds(2)))) {
+        const bool shut = (arrived.frame.status & gaze::sample_status::left_blink) != 0;
+        blinks += shut ? 1 : 0;
+        EXPECT_EQ(shut, arrived.frame.left.cause == gaze::EyeCause::blink);
+        EXPECT_EQ(shut, arrived.frame.left.openness == 0.0F);
+    }
+    EXPECT_EQ(blinks, 12);
+}
+
+TEST(SimulatedGaze, StallsAsManyRequestsAsOrdered) {
+    GazeBench tracker;
+    ASSERT_TRUE(order(tracker, {.kind = gaze::FaultKind::stall, .count = 2}));
+    EXPECT_EQ(tracker.order(request::start).error().code, ErrorCode::unsupported);
+    EXPECT_FALSE(tracker.device.control_get(request::get_info, 0, gaze::Info::kSize));
+    EXPECT_TRUE(tracker.device.control_get(request::get_info, 0, gaze::Info::kSize));
+}
+
+TEST(SimulatedGaze, IsUnpluggedWhenOrderedAndComesBackIdle) {
+    GazeBench tracker;
+    ASSERT_TRUE(tracker.order(request::start));
+    tracker.clock.sleep_until(at(seconds(1)));
+    ASSERT_TRUE(order(tracker, {.kind = gaze::FaultKind::unplug, .duration_ms = 500}));
+    EXPECT_EQ(tracker.order(request::start).error().code, ErrorCode::closed);
+    while (std::holds_alternative<Packet>(tracker.device.next(at(milliseconds(1400))))) {
+    }
+    tracker.clock.sleep_until(at(milliseconds(1600)));
+    EXPECT_TRUE(tracker.order(request::start)) << "idle";
+}
+
+TEST(SimulatedGaze, DriftsFromTheOrderOn) {
+    GazeBench tracker;
+    ASSERT_TRUE(tracker.order(request::start));
+    const auto before = tracker.samples_until(at(seconds(10)));
+    ASSERT_TRUE(order(tracker, {.kind = gaze::FaultKind::clock_drift, .p1 = 1000}));
+    const auto after = tracker.samples_until(at(seconds(20)));
+    ASSERT_GT(after.size(), 500u);
+    // The cameras run on the device's clock: 60 Hz by its stamps, 60.06 by ours, without a jump.
+    const auto spacing_ms = [](const auto& a, const auto& b) { return to_ms(b.at - a.at); };
+    EXPECT_NEAR(spacing_ms(before.back(), after.front()), 1000.0 / 60.0, 0.02);
+    EXPECT_NEAR(spacing_ms(after[10], after[510]), 500 * 1000.0 / 60.06, 1e-3);
+    EXPECT_NEAR(static_cast<double>(after[510].frame.exposure_ns - after[10].frame.exposure_ns),
+                500e9 / 60.0, 100.0);
+    EXPECT_FALSE(order(tracker, {.kind = gaze::FaultKind::clock_drift,
+                                 .p1 = std::numeric_limits<float>::quiet_NaN()}));
 }
 
 TEST(SimulatedGaze, UnpluggedIsAFault) {

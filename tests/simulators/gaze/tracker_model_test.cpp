@@ -31,7 +31,7 @@ Measured measure(const motion::EyeMotion& eyes, const GazeFaults& faults, int n,
     TrackerModel tracker(eyes, faults, seed);
     Measured m;
     for (int i = 0; i < n; ++i) {
-        const auto frame = tracker.measure(i / 60.0, 60.0, low_pass, false);
+        const auto frame = tracker.measure(i / 60.0, 60.0, low_pass, std::nullopt);
         m.left.push_back(motion::gaze_of(from_wire(frame.left.direction)));
         m.right.push_back(motion::gaze_of(from_wire(frame.right.direction)));
         m.combined.push_back(motion::gaze_of(from_wire(frame.direction)));
@@ -61,7 +61,7 @@ TEST(TrackerModel, WithoutFaultsIsTheTruth) {
     TrackerModel tracker(scan, {}, 1);
     for (int i = 0; i < 2000; ++i) {
         const double t = i / 60.0;
-        const auto frame = tracker.measure(t, 60.0, false, false);
+        const auto frame = tracker.measure(t, 60.0, false, std::nullopt);
         EXPECT_LT(glm::distance(from_wire(frame.direction), scan.at(t).direction), 1e-7);
         EXPECT_EQ(frame.status, 0x000F);
         EXPECT_EQ(frame.left.state, gaze::EyeState::tracked);
@@ -142,7 +142,8 @@ TEST(TrackerModel, BlinksGiveOneWeakSampleEachSideAndNoneBetween) {
     const StillEye still;
     TrackerModel tracker(still, fault("blink", 14.0), 2);
     std::vector<gaze::SampleFrame> frames;
-    for (int i = 0; i < 36000; ++i) frames.push_back(tracker.measure(i / 60.0, 60.0, false, false));
+    for (int i = 0; i < 36000; ++i)
+        frames.push_back(tracker.measure(i / 60.0, 60.0, false, std::nullopt));
     int blinks = 0, weak = 0;
     for (std::size_t i = 1; i + 1 < frames.size(); ++i) {
         const auto& eye = frames[i].left;
