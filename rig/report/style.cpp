@@ -78,7 +78,9 @@ details summary { cursor: pointer; font-weight: 600; }
 .live { display: none; } .enlivened .live { display: block; }
 .uplot .u-axis .u-label { color: var(--soft); } .u-legend { font-size: 13px; }
 @media screen { .enlivened > .scroll { display: none; } }
-@media print { section { break-inside: avoid; } #frame-strip, .enlivened .live { display: none; } }
+@media print { h2, h2 + p { break-after: avoid; } .legend { break-before: avoid; }
+  svg, tr, img, p { break-inside: avoid; } .scroll { overflow: visible; } table { font-size: 70%; }
+  #frame-strip, .enlivened .live { display: none; } }
 )css";
 
 }  // namespace foverig::report
