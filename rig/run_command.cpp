@@ -130,13 +130,14 @@ class RecordingRescue {
         : folder_(folder), recording_(recording) {}
     ~RecordingRescue() {
         if (!recording_ || std::uncaught_exceptions() == exceptions_) return;
-        if (recording_->counts().messages == 0) return;
+        if (!recording_->has_samples()) return;
         recording_.reset();
         if (const auto kept = folder_.rescue(kRecordingFile)) {
-            fmt::print(stderr,
-                       "the run failed; what its devices sent is kept in {0} (foverig recover {0} "
-                       "mends it where it is torn)\n",
-                       kept->string());
+            const std::string text = fmt::format(
+                "the run failed; what its devices sent is kept in {0} (foverig recover {0} mends "
+                "it where it is torn)\n",
+                kept->string());
+            std::fputs(text.c_str(), stderr);  // which may be full too: nothing may throw here
         }
     }
     RecordingRescue(const RecordingRescue&) = delete;

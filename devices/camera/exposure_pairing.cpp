@@ -3,7 +3,7 @@
 namespace foverig::camera {
 namespace {
 
-constexpr std::size_t kKept = 64;
+constexpr std::size_t kKept = 256;  // 4 s: more than the frames that wait for a slow frame of a run
 // The clock map may be late by this much; what it gives is not much later than the truth.
 constexpr Nanoseconds kEarliest{1'000'000};
 constexpr Nanoseconds kLatest{12'000'000};  // between this flash and the next one's frame

@@ -7,7 +7,7 @@ namespace {
 
 using detail::get_report;
 
-constexpr std::size_t kKeptReadbacks = 64, kKeptExposures = 64;
+constexpr std::size_t kKeptReadbacks = 64, kKeptExposures = 256;  // 4 s of flashes
 constexpr Nanoseconds kSetUpPause{250'000'000};  // between two tries with a headset that came back
 constexpr Nanoseconds kCorrectionPause{100'000'000};  // reports in flight still have the old format
 

@@ -11,9 +11,9 @@
 namespace foverig {
 
 struct TiltGainsConfig {
-    double end_gain_per_s = 0.25;        ///< LibOVR's (DEVICES.md 3.1); 0: nothing is taken back
+    double end_gain_per_s = 0.25;        ///< LibOVR's (DEVICES.md 3.1); 0: none at the end
     double offset_sigma_rad_s = 3.5e-3;  ///< 0.2 deg/s: what the factory leaves (6.2)
-    double walk_rad_s_sqrt_s = 5e-5;     ///< of the offset (6.2)
+    double walk_rad_s_sqrt_s = 5e-5;     ///< of the offset (6.2); above 0
     double response_s = 0.1;  ///< gravity is told no faster: no gain is above its inverse
     bool learns_offset = true;
 };

@@ -91,9 +91,12 @@ auto LiveTransport::ask(Request request) -> decltype(request(std::declval<Link&>
         if (const auto spent = patience_.spent(asked)) return *spent;
     }
     auto answer = request(*device);
-    if (!answer) {
-        const std::lock_guard lock(mutex_);
-        if (device == link_) patience_.failed(asked, clock_.now());
+    const std::lock_guard lock(mutex_);
+    if (device != link_) return answer;
+    if (answer) {
+        patience_.answered();
+    } else {
+        patience_.failed(asked, clock_.now());
     }
     return answer;
 }

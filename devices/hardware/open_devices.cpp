@@ -53,6 +53,10 @@ Result<FoundDevice> choose_headset(const std::string& serial) {
         return factory_number_of(d) == serial;
     });
     if (named != found.end()) return *named;
+    // One that cannot be asked may be the one that is meant.
+    for (const FoundDevice& device : found) {
+        if (device.problem) return *device.problem;
+    }
     return chosen;
 }
 

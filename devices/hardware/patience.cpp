@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foverig::hardware {
 
 std::optional<Error> Patience::spent(HostTime now) const {
@@ -13,7 +15,9 @@ std::optional<Error> Patience::spent(HostTime now) const {
 }
 
 void Patience::failed(HostTime asked, HostTime now) {
-    if (now - asked > kLong) rests_until_ = now + kRest * (now - asked);
+    if (now - asked <= kLong) return;
+    rests_until_ = now + kRests[std::min(in_vain_, kRests.size() - 1)] * (now - asked);
+    ++in_vain_;
 }
 
 }  // namespace foverig::hardware

@@ -59,6 +59,11 @@ Status take(Summary& summary, const RecordView& record) {
         case Op::statistics: {
             const auto statistics = decode_statistics(c);
             if (!statistics) return statistics.error();
+            if (statistics->messages > 0 && statistics->end_ns < statistics->start_ns) {
+                return Error{ErrorCode::invalid_data,
+                             fmt::format("statistics of messages from {} to {} ns, backwards",
+                                         statistics->start_ns, statistics->end_ns)};
+            }
             summary.statistics = *statistics;
             return Done{};
         }

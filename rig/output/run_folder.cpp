@@ -66,7 +66,11 @@ void RunFolder::write(const fs::path& name, std::string_view text) const {
 
 std::optional<fs::path> RunFolder::rescue(const fs::path& name) const noexcept {
     std::error_code error;
-    const fs::path kept = beside(place_, "failed") += name.extension();
+    fs::path kept = beside(place_, "failed") += name.extension();
+    for (int i = 2; fs::exists(kept, error);
+         ++i) {  // of an older run, whose process had the number
+        kept = beside(place_, "failed") += fmt::format("-{}{}", i, name.extension().string());
+    }
     fs::rename(draft_ / name, kept, error);
     if (error) return std::nullopt;
     return kept;

@@ -109,7 +109,8 @@ std::vector<Column> times_and_counts() {
         {"late", "", "1: missed the VSync that it was begun for",
          [](F f) { return count(f.late()); }},
         {"mis_presented", "",
-         "1: shown at another VSync than pose and gaze were predicted for, be it later or earlier",
+         "1: shown at another VSync than pose and gaze were predicted for, be it later or earlier "
+         "(a late warp turns the picture to the pose at that VSync, not the gaze)",
          [](F f) { return count(f.mis_presented); }},
         {"dropped", "", "1: replaced before any VSync showed it",
          [](F f) { return count(f.dropped()); }},

@@ -141,18 +141,21 @@ void SessionRecording::calibration(const gaze::Info& tracker) {
 }
 
 void SessionRecording::sample(const ImuSample& sample) {
+    has_samples_ = true;
     if (!imu_) return;
     write_json(text_, sample);
     recorder_->record(*imu_, sample.arrival, sample.host_time, std::as_bytes(std::span(text_)));
 }
 
 void SessionRecording::sample(const GazeSample& sample) {
+    has_samples_ = true;
     if (!gaze_) return;
     write_json(text_, sample);
     recorder_->record(*gaze_, sample.arrival, sample.host_time, std::as_bytes(std::span(text_)));
 }
 
 void SessionRecording::sample(const PoseFix& fix) {
+    has_samples_ = true;
     if (!fixes_) return;
     write_json(text_, fix);
     recorder_->record(*fixes_, fix.arrival, fix.taken, std::as_bytes(std::span(text_)));

@@ -40,6 +40,8 @@ class SessionRecording {
 
     /// Throws std::runtime_error where something could not be written.
     void check() const;
+    /// Whether a device has sent anything but answers.
+    bool has_samples() const { return has_samples_; }
     /// So far.
     RecorderCounts counts() const { return recorder_->counts(); }
     RecordingRecord end();
@@ -50,6 +52,7 @@ class SessionRecording {
     std::optional<Recorder::TopicId> imu_, gaze_, fixes_;  // none: left out
     Recorder::TopicId frames_;
     std::optional<RecordedTransport> headset_, gaze_tracker_, tracker_camera_;
+    bool has_samples_ = false;
     std::size_t frames_written_ = 0;
     std::string text_;
 };

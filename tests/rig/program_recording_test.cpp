@@ -109,6 +109,11 @@ TEST_F(ProgramRecordingTest, LeavesNoRecordingOfDevicesThatCannotBeOpened) {
                  "tracking.gaze_calibration=" + (root_ / "missing.json").string()});
     EXPECT_EQ(outcome.code, 3) << outcome.err;
     EXPECT_FALSE(fs::exists(file));
+    EXPECT_EQ(small_run("run", {"--set", "recording.enabled=true", "--set",
+                                "tracking.gaze_calibration=" + (root_ / "missing.json").string()})
+                  .code,
+              3);
+    EXPECT_TRUE(fs::is_empty(root_));
 }
 
 TEST_F(ProgramRecordingTest, SaysWhereAFileCannotBeMade) {
