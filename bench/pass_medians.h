@@ -1,12 +1,13 @@
 #pragma once
-#include <ctime>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "bench/report_json.h"
 #include "bench/statistics.h"
+#include "devices/time.h"
 #include "renderer/renderer.h"
+#include "rig/identity/processor_use.h"
 
 namespace foverig::bench {
 
@@ -14,9 +15,9 @@ namespace foverig::bench {
 class PassMedians {
   public:
     FrameStats render(Renderer& renderer, const FrameInput& input) {
-        const double before_ms = process_cpu_ms();
+        const auto before = process_time();
         FrameStats stats = renderer.render(input);
-        cpu_ms_.push_back(process_cpu_ms() - before_ms);
+        cpu_ms_.push_back(to_ms(process_time() - before));
         frame_ms_.push_back(stats.render_ms);
         double sum = 0.0;
         for (const PassTime& pass : stats.passes) {
@@ -45,12 +46,6 @@ class PassMedians {
     }
 
   private:
-    static double process_cpu_ms() {
-        timespec t{};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-        return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_nsec) * 1e-6;
-    }
-
     std::vector<double> frame_ms_;
     std::vector<double> cpu_ms_;
     std::vector<double> outside_ms_;

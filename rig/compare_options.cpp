@@ -29,6 +29,7 @@ void CompareOptions::add_to(CLI::App& app) {
         "Examples:\n"
         "  foverig compare base new                  two folders of ten runs each, made in turns\n"
         "  foverig compare base/* --against new/* --paired --threshold 1\n"
+        "  foverig compare base new --of cpu_ms      on a machine that others use too\n"
         "  foverig compare full reprojected --allow pipeline --of render_ms\n"
         "Runs at fixed cost are compared byte for byte. Exit code 1: worse, or at fixed cost not\n"
         "the same. docs/compare.md explains the verdicts.");

@@ -8,6 +8,7 @@
 #include "rig/governor/governed_renderer.h"
 #include "rig/identity/build_info.h"
 #include "rig/identity/host_info.h"
+#include "rig/identity/processor_use.h"
 #include "rig/interrupt.h"
 #include "rig/live/live_window.h"
 #include "rig/open_scene.h"
@@ -74,7 +75,10 @@ RunRecord run_session(const Scenario& scenario, const Scene& scene, Renderer& re
     };
     if (const auto cost = parse_cost(scenario.cost); governed != nullptr && cost && cost->fixed_ms)
         hooks.fixed_ms = [=] { return governed->fixed_ms(*cost->fixed_ms); };
+    const auto before = processor_times();
     RunRecord run = session.run(hooks);
+    if (const auto after = processor_times(); before && after)
+        run.processor_use = use_between(*before, *after);
     if (governed != nullptr) take_choices(*governed, run);
     if (live != nullptr && run.display) live->complete(*run.display);
     progress.done();

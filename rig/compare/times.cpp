@@ -6,6 +6,7 @@
 #include <span>
 
 #include "rig/failure.h"
+#include "rig/records/elsewhere.h"
 #include "rig/stats/centre.h"
 #include "rig/stats/warm_up.h"
 #include "rig/text/nearest.h"
@@ -26,6 +27,14 @@ std::size_t warm_up_of(const std::vector<report::RunData>& runs) {
     std::size_t most = 0;
     for (const report::RunData& run : runs)
         most = std::max(most, stats::warm_up_count(values_of(run, "frame_time_ms", 0)));
+    return most;
+}
+
+std::optional<double> most_elsewhere(const std::vector<report::RunData>& runs) {
+    std::optional<double> most;
+    for (const report::RunData& run : runs)
+        if (const auto ratio = elsewhere_ratio(run.summary))
+            most = std::max(most.value_or(0.0), *ratio);
     return most;
 }
 
@@ -67,6 +76,7 @@ TimeComparison compare_times(const std::vector<report::RunData>& base,
                                      base.size(), fresh.size()));
     TimeComparison c;
     c.warm_up_frames = std::max(warm_up_of(base), warm_up_of(fresh));
+    c.elsewhere_ratio = std::max(most_elsewhere(base), most_elsewhere(fresh));
     c.base = medians_of(base, settings.of, c.warm_up_frames);
     c.fresh = medians_of(fresh, settings.of, c.warm_up_frames);
     c.shift = settings.paired ? stats::paired_shift(c.base, c.fresh)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rig/records/elsewhere.h"
 #include "rig/stats/centre.h"
 
 namespace foverig::compare {
@@ -13,6 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostPasses = 6;
+constexpr const char* kProcessorTime = "cpu_ms";
 
 std::string runs_text(const char* side, const std::vector<double>& medians) {
     const auto [least, most] = std::minmax_element(medians.begin(), medians.end());
@@ -90,6 +92,11 @@ std::string told(const TimeComparison& c, const TimeSettings& settings,
     if (c.warm_up_frames > 0)
         text += fmt::format("warm-up  the first {} frames of every run are left out\n",
                             c.warm_up_frames);
+    if (c.elsewhere_ratio.value_or(0.0) >= kElsewhereMatters_ratio)
+        text += fmt::format(
+            "machine  up to {:.0f} % of its processor time went elsewhere during a run{}\n",
+            100.0 * *c.elsewhere_ratio,
+            settings.of == kProcessorTime ? "" : "; --of cpu_ms leaves that out");
     text += fmt::format("shift    {}, {}, 95 %\n", with_interval(c.shift, 1.0, ""),
                         with_interval(c.relative, 100.0, " %"));
     for (std::size_t i = 0; i < std::min(passes.size(), kMostPasses); ++i)
@@ -106,12 +113,14 @@ Json to_json(const TimeComparison& c, const TimeSettings& settings,
                  {"threshold", settings.threshold},
                  {"paired", settings.paired},
                  {"warm_up_frames", c.warm_up_frames},
+                 {"elsewhere_ratio", nullptr},
                  {"base", c.base},
                  {"new", c.fresh},
                  {"shift", shift_json(c.shift)},
                  {"relative_shift", shift_json(c.relative)},
                  {"runs_needed", nullptr},
                  {"passes", Json::object()}};
+    if (c.elsewhere_ratio) json["elsewhere_ratio"] = *c.elsewhere_ratio;
     if (c.judgement.runs_needed) json["runs_needed"] = *c.judgement.runs_needed;
     for (const PassShift& pass : passes) json["passes"][pass.pass] = shift_json(pass.shift_ms);
     return json;

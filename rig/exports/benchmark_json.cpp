@@ -12,6 +12,7 @@ constexpr double kUsOfMs = 1000.0;  // compare.py shows whole numbers: passes ta
 struct Value {
     std::string name;
     double ms = 0.0;
+    double cpu_ms = 0.0;  ///< as long, where only the whole frame's processor time is known
 };
 
 std::size_t warm_up_frames(const report::RunData& run) {
@@ -30,11 +31,15 @@ std::vector<double> steady(const report::RunData& run, const std::string& id) {
 std::vector<Value> values_of(const report::RunData& run) {
     std::vector<Value> values;
     const auto add = [&](const std::string& name, const std::string& id) {
-        if (const auto column = steady(run, id); !column.empty())
-            values.push_back({name, stats::median_of(column)});
+        const auto column = steady(run, id);
+        if (column.empty()) return;
+        const double ms = stats::median_of(column);
+        values.push_back({name, ms, ms});
     };
     const std::string scene = run.text({"scenario", "scene"}) + "/" + run.text({"pipeline"}) + "/";
     add(scene + "frame_time", "frame_time_ms");
+    if (const auto cpu = steady(run, "cpu_ms"); !cpu.empty() && !values.empty())
+        values.back().cpu_ms = stats::median_of(cpu);
     add(scene + "motion_to_photon", "motion_to_photon_ms");
     add(scene + "gaze_to_photon", "gaze_to_photon_ms");
     for (const std::string& id : run.frames.order)
@@ -69,7 +74,7 @@ Json benchmark_json(const std::vector<report::RunData>& runs) {
                                   {"threads", 1},
                                   {"iterations", runs[i].frames.frames},
                                   {"real_time", kUsOfMs * value.ms},
-                                  {"cpu_time", kUsOfMs * value.ms},
+                                  {"cpu_time", kUsOfMs * value.cpu_ms},
                                   {"time_unit", "us"}});
     }
     return {{"context", runs.empty() ? Json::object() : context_of(runs.front())},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "rig/records/elsewhere.h"
 #include "rig/report/provenance.h"
 
 namespace foverig::exports {
@@ -49,6 +50,10 @@ void add_times(std::string& table, const json& summary) {
         interval(steady.at("p50")) + warm_up);
     row(table, "frame time p99", number(steady.at("p99").at("value"), " ms"),
         interval(steady.at("p99")) + warm_up);
+    const std::string elsewhere = elsewhere_text(summary);
+    if (const json cpu = summary.value("cpu_time_ms", json()); cpu.is_object())
+        row(table, "processor time p50", number(cpu.at("p50"), " ms"),
+            elsewhere.empty() ? "" : "elsewhere " + elsewhere);
 }
 
 std::string effects(const json& plan) {

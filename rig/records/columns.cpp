@@ -212,8 +212,13 @@ std::vector<Column> wall_columns(const std::vector<FrameRecord>& frames) {
             }
         }
     }
-    std::vector<Column> columns{{"render_ms", "ms", "wall time inside the renderer",
-                                 [](const FrameRecord& frame) { return Cell(frame.render_ms); }}};
+    std::vector<Column> columns{
+        {"render_ms", "ms", "wall time inside the renderer",
+         [](const FrameRecord& frame) { return Cell(frame.render_ms); }},
+        {"cpu_ms", "ms",
+         "processor time of all threads, begin to present; what other programs, or other guests of "
+         "the machine's host, had meanwhile is not in it",
+         [](const FrameRecord& frame) { return Cell(frame.cpu_ms); }}};
     for (const std::string& name : names) {
         columns.push_back({"pass." + name + "_ms", "ms", "share of the frame's wall time",
                            [name](const FrameRecord& frame) {

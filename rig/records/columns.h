@@ -23,8 +23,8 @@ struct Column {
 
 const std::vector<Column>& frame_columns();
 
-/// What only a wall clock knows, so that a fixed cost leaves it out: render_ms and
-/// "pass.<name>_ms" for every pass of these frames, in the order of first appearance.
+/// What only a wall clock knows, so that a fixed cost leaves it out: render_ms, cpu_ms
+/// and "pass.<name>_ms" for every pass of these frames, in the order of first appearance.
 std::vector<Column> wall_columns(const std::vector<FrameRecord>& frames);
 
 /// Latencies of a frame, in ms; absent where an end is.

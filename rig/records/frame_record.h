@@ -41,6 +41,7 @@ struct FrameRecord {
     std::uint32_t missed_vsyncs = 0;  ///< repeats of the frame before, just before this one
 
     double render_ms = 0.0;        ///< wall time in the renderer, whatever the clock
+    double cpu_ms = 0.0;           ///< processor time of all threads, begin to present
     std::vector<PassTime> passes;  ///< shares of it
     RayCounts rays;
     std::uint64_t sampled_pixels = 0;

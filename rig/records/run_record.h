@@ -8,6 +8,7 @@
 
 #include "devices/source.h"
 #include "renderer/effects/plan.h"
+#include "rig/identity/processor_use.h"
 #include "rig/records/frame_record.h"
 
 namespace foverig {
@@ -76,7 +77,8 @@ struct RunRecord {
     bool interrupted = false;  ///< ended early by Ctrl-C
     std::optional<RecordingRecord> recording;
     std::optional<GovernorRecord> governor;
-    std::optional<DisplayRecord> display;  ///< none: a virtual panel
+    std::optional<DisplayRecord> display;         ///< none: a virtual panel
+    std::optional<ProcessorUse> processor_use{};  ///< while it ran; none: the system does not tell
 };
 
 }  // namespace foverig

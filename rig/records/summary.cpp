@@ -173,6 +173,13 @@ json display_json(const std::optional<DisplayRecord>& display) {
             {"hud_frames", display->hud_frames}};
 }
 
+json processor_use_json(const std::optional<ProcessorUse>& use) {
+    if (!use) return nullptr;
+    return {{"own_ratio", use->own_ratio},
+            {"others_ratio", use->others_ratio},
+            {"stolen_ratio", use->stolen_ratio}};
+}
+
 json numerics_json(const std::vector<FrameRecord>& frames) {
     using F = const FrameRecord&;
     return {{"nan", sum(frames, [](F f) { return f.numerics.nan; })},
@@ -210,6 +217,7 @@ json summary_json(const RunRecord& run, const json& scenario, const BuildInfo& b
         {"cores", host.cores},
         {"gpu", run.backend.starts_with("cuda") ? json(gpu_text(find_gpus())) : json()},
         {"os", or_null(host.os)}};
+    summary["processor_use"] = run.fixed_cost ? json() : processor_use_json(run.processor_use);
     summary["scenario"] = scenario;
     summary["pipeline"] = run.pipeline;
     summary["interrupted"] = run.interrupted;
@@ -228,6 +236,7 @@ json summary_json(const RunRecord& run, const json& scenario, const BuildInfo& b
     summary["frame_time_ms"] = spread(frames, frame_time_ms);
     summary["steady_frame_time_ms"] = steady_json(run);
     summary["render_time_ms"] = spread(frames, [](const FrameRecord& f) { return f.render_ms; });
+    summary["cpu_time_ms"] = run.fixed_cost ? json() : spread(frames, [](F f) { return f.cpu_ms; });
     summary["pass_time_ms"] = pass_times(frames);
     summary["rays"] = ray_means(frames);
     summary["sampled_pixel_ratio"] = sampled_ratio(frames);

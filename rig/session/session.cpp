@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rig/identity/processor_use.h"
 #include "rig/records/motion_phase.h"
 #include "rig/session/angles.h"
 
@@ -60,6 +61,7 @@ RunRecord Session::run(const SessionHooks& hooks) {
         clock_.clock().sleep_until(frame.wake_up);
         clock_.start_work();
         frame.begin = clock_.now();
+        const auto cpu_began = process_time();
         frame.aimed_vsync = pacing_.aimed_vsync(frame.begin);
         const HostTime expected_vsync = pacing_.expected_vsync(frame.begin);
         hooks.frame_begins(frame.begin);
@@ -69,6 +71,7 @@ RunRecord Session::run(const SessionHooks& hooks) {
         render_frame(frame, input);
         draw(frame, expected_vsync);
         present(frame, expected_vsync);
+        frame.cpu_ms = to_ms(process_time() - cpu_began);
         judge(frame, input);
         frames_.push_back(std::move(frame));
         FrameRecord& done = frames_.back();

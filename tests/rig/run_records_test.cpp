@@ -116,6 +116,15 @@ TEST_F(RunRecords, EstimateTimesWhereTheyWereMeasured) {
         return nlohmann::json::parse(text_of(root_ / run / "summary.json"))["steady_frame_time_ms"];
     };
     EXPECT_TRUE(steady("fixed").is_null());
+    const auto summary = [&](const char* run) {
+        return nlohmann::json::parse(text_of(root_ / run / "summary.json"));
+    };
+    for (const char* key : {"cpu_time_ms", "processor_use"}) {
+        EXPECT_TRUE(summary("fixed")[key].is_null()) << key;
+        EXPECT_TRUE(summary("measured")[key].is_object()) << key;
+    }
+    EXPECT_GT(summary("measured")["cpu_time_ms"]["min"], 0.0);
+    EXPECT_LE(summary("measured")["processor_use"]["own_ratio"], 1.0);
     EXPECT_EQ(steady("measured")["n"], 12);
     EXPECT_TRUE(steady("measured")["p99"]["value"].is_null());
     EXPECT_NE(measured.out.find("p99 n too small"), std::string::npos) << measured.out;

@@ -30,6 +30,7 @@ inline RunRecord frames_at_75_hz() {
         f.photon = at_ms(t + 20.0);
         f.passes = {{"trace_primary", 5.0}, {"shade", 2.0 + (i % 2)}};
         f.render_ms = 7.5;
+        f.cpu_ms = 14.0;
         f.all_pixels = 100;
         f.sampled_pixels = 40;
         if (i == 6) f.drop();
