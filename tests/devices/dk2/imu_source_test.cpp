@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/dk2/feature_reports.h"
 #include "devices/display/panel_timing.h"
+#include "devices/dk2/feature_reports.h"
 #include "tests/devices/byte_text.h"
 #include "tests/devices/fake_transport.h"
 
