@@ -8,7 +8,8 @@ duet=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../scripts/duet
 runs=$(mktemp -d)
 trap 'rm -rf "$runs"' EXIT
 small=(--scene cornell --frames 60 --set settle_s=0.05 --set display.eyes=1 --set display.eye_width_px=128 --set display.eye_height_px=128)
-echo "verdict,shift_percent,ci95_low_percent,ci95_high_percent,elsewhere_percent" >"$out"
+echo "# $(nproc) cores, $(sed -nE 's/^model name\s*: //p;T;q' /proc/cpuinfo); old $("$old" --version), new $("$new" --version)" >"$out"
+echo "verdict,shift_percent,ci95_low_percent,ci95_high_percent,elsewhere_percent" >>"$out"
 for ((k = 0; k < ${4:-20}; ++k)); do
     told=$("$duet" "$old" "$new" --out "$runs/$k" "${small[@]}" || (($? == 1)))
     shift=$(sed -nE 's/^shift .*, ([-+0-9.e]+) % \[([^,]*), ([^]]*)\], 95 %$/\1,\2,\3/p' <<<"$told")

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace foverig {
 
@@ -16,9 +17,12 @@ std::string elsewhere_text(const nlohmann::json& summary) {
     const auto ratio = elsewhere_ratio(summary);
     if (!ratio || *ratio < kElsewhereMatters_ratio) return "";
     const auto& use = summary["processor_use"];
-    return fmt::format("{:.0f} % to other guests of its host, {:.0f} % to other programs",
-                       100.0 * use.value("stolen_ratio", 0.0),
-                       100.0 * use.value("others_ratio", 0.0));
+    std::string text;
+    for (const auto& [key, to] : {std::pair("stolen_ratio", "other guests of its host"),
+                                  std::pair("others_ratio", "other programs")})
+        if (const double percent = 100.0 * use.value(key, 0.0); percent >= 0.5)
+            text += fmt::format("{}{:.0f} % to {}", text.empty() ? "" : ", ", percent, to);
+    return text;
 }
 
 }  // namespace foverig

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "rig/records/elsewhere.h"
 #include "rig/records/words.h"
 #include "rig/report/markup.h"
 
@@ -78,8 +77,6 @@ std::string resource_table(const RunData& run) {
     }
     if (const auto cpu_ms = run.number({"cpu_time_ms", "p50"}))
         rows.push_back({"processor time a frame (p50)", number(cpu_ms) + " ms"});
-    if (const std::string elsewhere = elsewhere_text(run.summary); !elsewhere.empty())
-        rows.push_back({"the machine's processor time went elsewhere", escaped(elsewhere)});
     rows.push_back({"memory of the backend", bytes(run.number({"memory", "backend_bytes"}))});
     rows.push_back({"most memory of the process", bytes(run.number({"memory", "peak_rss_bytes"}))});
     rows.push_back({"NaN, infinities, clamped values in kernels",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "rig/records/elsewhere.h"
 #include "rig/report/markup.h"
 #include "rig/report/provenance.h"
 
@@ -15,6 +16,14 @@ std::string tile(const std::string& what, const std::string& value, const std::s
 
 std::string milliseconds(const std::optional<double>& ms) {
     return ms ? number(ms) + "\u202fms" : number(ms);
+}
+
+/// What a verdict cannot blame the renderer for.
+std::string not_alone(const RunData& run) {
+    const std::string elsewhere = elsewhere_text(run.summary);
+    if (elsewhere.empty()) return "";
+    return fmt::format(" Meanwhile the machine's processor time went elsewhere: {}.",
+                       escaped(elsewhere));
 }
 
 std::string verdict(const RunData& run) {
@@ -41,8 +50,8 @@ std::string verdict(const RunData& run) {
     }
     return fmt::format(
         "<p class=\"verdict bad\"><b>Does not hold {:g} Hz</b>: {} of {} VSyncs had "
-        "no new frame ({}).</p>",
-        rate_hz, count(missed), count(total), basis);
+        "no new frame ({}).{}</p>",
+        rate_hz, count(missed), count(total), basis, not_alone(run));
 }
 
 std::string median_interval(const RunData& run) {

@@ -72,7 +72,9 @@ std::string page(const RunData& run) {
     html += section("The worst frames, link by link",
                     "The longest beyond the warm-up, in milliseconds: from the inertial sample to "
                     "the light, how old the gaze was then, and the pass that lies furthest above "
-                    "what it usually takes.",
+                    "what it usually takes. Processor: its time above the p50 of that; where it is "
+                    "far less than the frame's own, the frame waited for a processor that others "
+                    "had.",
                     worst_frames(run));
     html += section("What was rendered, and why",
                     "The effect plan: only what this scene and these "

@@ -58,6 +58,14 @@ std::string blamed(const FrameTable& frames, std::size_t frame, std::size_t firs
     return blamed;
 }
 
+/// "+0.3": signed, as it is told from another of the same row.
+std::string above(const Cells& cells, std::size_t frame, std::size_t first) {
+    const auto usual = median_of(cells, first);
+    if (frame >= cells.size() || !cells[frame] || !usual) return "–";
+    const double excess = *cells[frame] - *usual;
+    return fmt::format("{}{}", excess < 0.0 ? "" : "+", number(excess));
+}
+
 const char* fate(const FrameTable& frames, std::size_t frame) {
     if (frames.column("dropped")[frame].value_or(0.0) > 0.0) return "dropped";
     return frames.column("late")[frame].value_or(0.0) > 0.0 ? "late" : "in time";
@@ -70,12 +78,12 @@ std::string worst_frames(const RunData& run) {
     const auto first = static_cast<std::size_t>(
         run.number({"steady_frame_time_ms", "warm_up_frames"}).value_or(0.0));
     const Cells time_ms = frames.column("frame_time_ms");
-    const auto usual = median_of(time_ms, first);
+    const Cells cpu_ms = frames.column("cpu_ms");
     std::vector<std::vector<std::string>> rows;
     for (const std::size_t frame : longest(time_ms, first)) {
-        std::vector<std::string> row{
-            fmt::format("{}", frame), number(*time_ms[frame]),
-            fmt::format("+{}", number(*time_ms[frame] - usual.value_or(0.0))), fate(frames, frame)};
+        std::vector<std::string> row{fmt::format("{}", frame), number(*time_ms[frame]),
+                                     above(time_ms, frame, first), above(cpu_ms, frame, first),
+                                     fate(frames, frame)};
         for (const Link& link : kLinks) {
             const auto from = frames.column(link.from)[frame];
             const auto to = frames.column(link.to)[frame];
@@ -86,9 +94,9 @@ std::string worst_frames(const RunData& run) {
         rows.push_back(std::move(row));
     }
     if (rows.empty()) return "<p>No frame was rendered.</p>";
-    return table({"frame", "ms", "above p50", "came", "transport", "age", "render", "lens", "wait",
-                  "scan-out", "gaze's age", "furthest above its median"},
-                 rows, {0, 1, 2, 4, 5, 6, 7, 8, 9, 10});
+    return table({"frame", "ms", "above p50", "processor", "came", "transport", "age", "render",
+                  "lens", "wait", "scan-out", "gaze's age", "furthest above its median"},
+                 rows, {0, 1, 2, 3, 5, 6, 7, 8, 9, 10, 11});
 }
 
 }  // namespace foverig::report

@@ -37,6 +37,7 @@ RunRecord some_run() {
         f.photon = at_ms(t + 20.0);
         f.passes = {{"trace_primary", 5.0}, {"shade", 2.0}};
         f.render_ms = 7.5;
+        f.cpu_ms = 14.0;
         run.frames.push_back(f);
     }
     PlannedEffect effect;
@@ -114,9 +115,10 @@ TEST_F(ReportTest, NamesTheWorstFrameAndThePassThatMadeItSo) {
     run.frames[5].submit = at_ms(13.333 * 5 + 30.0);
     run.frames[5].present = at_ms(13.333 * 5 + 31.0);
     run.frames[5].passes = {{"trace_primary", 5.5}, {"shade", 23.0}};
+    run.frames[5].cpu_ms = 14.5;
     const std::string html = page_of(run, nlohmann::json::array());
     EXPECT_THAT(html, HasSubstr("<td class=\"n\">5</td><td class=\"n\">31.0</td>"
-                                "<td class=\"n\">+22.0</td>"));
+                                "<td class=\"n\">+22.0</td><td class=\"n\">+0.5</td>"));
     EXPECT_THAT(html, HasSubstr("<code>shade</code> +21.0 ms"));
     EXPECT_THAT(html, HasSubstr("foverig run scenario.toml --out again"));
 }
@@ -129,6 +131,15 @@ TEST_F(ReportTest, SaysWhetherTheRateHolds) {
     RunRecord wrong = some_run();
     wrong.frames[0].numerics.nan = 1;
     EXPECT_THAT(page_of(wrong, nlohmann::json::array()), HasSubstr("Not valid"));
+}
+
+TEST_F(ReportTest, SaysThatTheMachineHadOtherWork) {
+    RunRecord run = some_run();
+    EXPECT_THAT(page_of(run, nlohmann::json::array()), Not(HasSubstr("went elsewhere")));
+    run.processor_use = ProcessorUse{.own_ratio = 0.4, .others_ratio = 0.2, .stolen_ratio = 0.1};
+    for (std::size_t i = 0; i < run.frames.size(); ++i) run.frames[i].shown_vsync = 3 * i;
+    EXPECT_THAT(page_of(run, nlohmann::json::array()),
+                HasSubstr("10 % to other guests of its host, 20 % to other programs"));
 }
 
 TEST_F(ReportTest, StandsARunWithoutFrames) {
