@@ -82,10 +82,12 @@ Transport& transport_of(const ExposeRequest& request, World& world, const Clock&
                         SessionRecording* recording, std::optional<StagedCamera>& staged) {
     if (recording != nullptr) recording->begin(world.initial_yaw_rad());
     if (request.device == "dk2") {
-        return recording ? recording->headset(world.headset(), clock) : world.headset();
+        return recording ? recording->headset(world.headset(), clock, first_origin(world, "dk2"))
+                         : world.headset();
     }
     if (request.device == "gaze") {
-        return recording ? recording->gaze_tracker(world.gaze_tracker(), clock)
+        return recording ? recording->gaze_tracker(world.gaze_tracker(), clock,
+                                                   first_origin(world, "gaze"))
                          : world.gaze_tracker();
     }
     Transport* camera = world.tracker_camera();
@@ -95,7 +97,8 @@ Transport& transport_of(const ExposeRequest& request, World& world, const Clock&
     if (replayed_file(request.scenario).empty()) {
         camera = &staged.emplace(*camera, world.headset(), clock);
     }
-    return recording ? recording->tracker_camera(*camera, clock) : *camera;
+    return recording ? recording->tracker_camera(*camera, clock, first_origin(world, "camera"))
+                     : *camera;
 }
 
 std::optional<SessionRecording> recording_of(const ExposeRequest& request,

@@ -8,6 +8,13 @@ void refuse(ControlExchange& exchange, const Error& error) {
     exchange.data = to_vector(std::as_bytes(std::span(error.text)));
 }
 
+mcap::Texts metadata_of(const RecordedDevice& about) {
+    mcap::Texts texts{{"device_time", about.device_time},
+                      {"log_time", "arrival on the host's clock"}};
+    if (!about.origin.empty()) texts.emplace(kDeviceOrigin, about.origin);
+    return texts;
+}
+
 }  // namespace
 
 RecordedTransport::RecordedTransport(Transport& device, Recorder& recorder, const Clock& clock,
@@ -17,8 +24,7 @@ RecordedTransport::RecordedTransport(Transport& device, Recorder& recorder, cons
       clock_(clock),
       raw_(recorder.add_topic({.topic = raw_topic(about.name),
                                .message_encoding = about.packet_encoding,
-                               .metadata = {{"device_time", about.device_time},
-                                            {"log_time", "arrival on the host's clock"}}})),
+                               .metadata = metadata_of(about)})),
       control_(recorder.add_topic(
           {.topic = control_topic(about.name), .message_encoding = "x-foverig-control"})) {}
 

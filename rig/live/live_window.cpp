@@ -73,6 +73,7 @@ void LiveWindow::frame_done(const FrameRecord& frame) {
 
 void LiveWindow::complete(DisplayRecord& record) const {
     record.shown_on = window_->shown_on();
+    record.on_headset = scenario_.display.kind == "headset";
     record.hud_frames = hud_frames_;
 }
 

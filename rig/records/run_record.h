@@ -34,11 +34,14 @@ struct DeviceRecord {
     /// What went wrong in ways that only this kind of device has: name (as a key) and count.
     std::map<std::string, std::uint64_t> troubles{};
     Origin origin = Origin::simulated;
+    /// Of a recorded device: what it was when it was recorded; none: the recording does not say.
+    std::optional<Origin> recorded_from{};
 };
 
 /// A window that showed the frames.
 struct DisplayRecord {
     std::string shown_on{};        ///< monitor, or a window's size
+    bool on_headset = false;       ///< it filled the headset's panel, not an ordinary screen
     bool vsync_measured = false;   ///< the display paces the frames; else our own clock does
     double vsync_error_ms = 0.0;   ///< one way; a delay that never changes is not in it
     std::uint64_t hud_frames = 0;  ///< frames that paid for the HUD

@@ -124,6 +124,12 @@ json outages_json(const std::vector<Outage>& outages) {
     return all;
 }
 
+/// A window on an ordinary screen is no panel, simulated or real: its light is not known.
+const char* panel_origin(const std::optional<DisplayRecord>& display) {
+    if (!display) return name_of(Origin::simulated);
+    return display->on_headset ? name_of(Origin::hardware) : "window";
+}
+
 json devices_json(const RunRecord& run) {
     json all = json::object();
     for (const DeviceRecord& device : run.devices) {
@@ -135,6 +141,9 @@ json devices_json(const RunRecord& run) {
                             {"rate_hz", or_null(device.rate_hz)},
                             {"troubles", device.troubles},
                             {"origin", name_of(device.origin)}};
+        if (device.origin == Origin::recorded)
+            all[device.name]["recorded_from"] =
+                device.recorded_from ? json(name_of(*device.recorded_from)) : json(nullptr);
     }
     // It sends nothing of its own that could be lost or malformed: read-backs ride in the headset's
     // reports, and are counted there.
@@ -145,7 +154,7 @@ json devices_json(const RunRecord& run) {
                     {"reconnects", nullptr},
                     {"outages", nullptr},
                     {"rate_hz", or_null(panel.rate_hz)},
-                    {"origin", name_of(run.display ? Origin::hardware : Origin::simulated)}};
+                    {"origin", panel_origin(run.display)}};
     return all;
 }
 

@@ -38,13 +38,37 @@ std::string motion_of(const RunData& run, const std::string& device) {
     return "";
 }
 
-std::string devices_from(const RunData& run, const char* origin, const char* title) {
-    const bool simulated = origin == std::string("simulated");
+/// What a recorded device was, in brackets behind its name.
+std::string recorded_as(const RunData& run, const char* device) {
+    const std::string was = run.text({"devices", device, "recorded_from"});
+    if (was == "simulated") return " (a simulated one)";
+    return was == "hardware" ? " (a real one)" : " (real or simulated: the recording does not say)";
+}
+
+/// A run that is older than its "origin" of a window calls it "hardware".
+bool is_window(const RunData& run) {
+    return is_from(run, "panel", "window") ||
+           (is_from(run, "panel", "hardware") &&
+            run.text({"scenario", "display", "kind"}) == "window");
+}
+
+std::string devices_from(const RunData& run, const std::string& origin, const char* title) {
     std::vector<std::string> names;
-    for (const auto& [device, name] : kDevices)
-        if (is_from(run, device, origin))
-            names.push_back(name + (simulated ? motion_of(run, device) : std::string()));
+    for (const auto& [device, name] : kDevices) {
+        if (!is_from(run, device, origin.c_str())) continue;
+        if (device == std::string("panel") && is_window(run)) continue;
+        names.push_back(name + (origin == "simulated"  ? motion_of(run, device)
+                                : origin == "recorded" ? recorded_as(run, device)
+                                                       : ""));
+    }
     return names.empty() ? "" : fmt::format("{}: {}. ", title, joined(names));
+}
+
+/// Its VSyncs are the screen's or a grid of our own, its photons are a DK2 panel's.
+std::string window(const RunData& run) {
+    return is_window(run) ? "Shown in a window on an ordinary screen, whose light is taken to come "
+                            "as a DK2 panel's would. "
+                          : "";
 }
 
 /// Of simulated devices: no other has any.
@@ -81,7 +105,8 @@ std::string times(const RunData& run) {
 
 std::string provenance(const RunData& run) {
     return devices_from(run, "simulated", "Simulated") + devices_from(run, "recorded", "Recorded") +
-           devices_from(run, "hardware", "Real") + faults(run) + worsened_gaze(run) + times(run);
+           devices_from(run, "hardware", "Real") + window(run) + faults(run) + worsened_gaze(run) +
+           times(run);
 }
 
 }  // namespace foverig::report

@@ -56,12 +56,12 @@ HeadTracker DeviceStreams::open_head(World& world) {
     Transport* headset = &watched("dk2", world.headset());
     if (recording_ != nullptr) {
         recording_->begin(world.initial_yaw_rad());
-        headset = &recording_->headset(*headset, clock_);
+        headset = &recording_->headset(*headset, clock_, first_origin(world, "dk2"));
     }
     Transport* camera = world.tracker_camera();
     if (camera != nullptr) camera = &watched("camera", *camera);
     if (camera != nullptr && recording_ != nullptr) {
-        camera = &recording_->tracker_camera(*camera, clock_);
+        camera = &recording_->tracker_camera(*camera, clock_, first_origin(world, "camera"));
     }
     return {*headset, clock_.now(), HeadFusionConfig{.initial_yaw_rad = world.initial_yaw_rad()},
             sample_log<ImuSample>(recording_),
@@ -70,7 +70,8 @@ HeadTracker DeviceStreams::open_head(World& world) {
 
 GazeTracker DeviceStreams::open_gaze(const Scenario& scenario, World& world) {
     Transport* tracker = &watched("gaze", world.gaze_tracker());
-    if (recording_ != nullptr) tracker = &recording_->gaze_tracker(*tracker, clock_);
+    if (recording_ != nullptr)
+        tracker = &recording_->gaze_tracker(*tracker, clock_, first_origin(world, "gaze"));
     if (const GazeWorsening worsening = worsening_of(scenario); worsening.any())
         tracker = &worsened_gaze_.emplace(*tracker, clock_, worsening);
     return {*tracker, clock_, sample_log<GazeSample>(recording_), gaze_config(scenario)};
@@ -82,6 +83,7 @@ std::vector<DeviceRecord> DeviceStreams::records() const {
     for (DeviceRecord& record : records) {
         record.outages = watched_.at(record.name).outages();
         record.origin = world_.origin(record.name);
+        record.recorded_from = world_.recorded_from(record.name);
     }
     return records;
 }

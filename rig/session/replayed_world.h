@@ -1,5 +1,6 @@
 #pragma once
 #include "rig/session/recorded_gaze.h"
+#include "rig/session/recorded_origin.h"
 #include "rig/session/world.h"
 #include "simulators/panel/virtual_panel.h"
 #include "simulators/replay/replayed_device.h"
@@ -23,6 +24,9 @@ class ReplayedWorld final : public World {
         return recorded_gaze_.at(time);
     }
     Origin origin(std::string_view) const override { return Origin::recorded; }
+    std::optional<Origin> recorded_from(std::string_view device) const override {
+        return recorded_origin(recording_, device);
+    }
     bool reads_back_our_frames() const override { return false; }
     bool at_end() const override;
 

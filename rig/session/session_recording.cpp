@@ -59,6 +59,10 @@ std::string numbers(const std::vector<dk2::OffsetAt>& offsets) {
     return fmt::format("{}", fmt::join(rows, " "));
 }
 
+std::string text_of(const std::optional<Origin>& origin) {
+    return origin ? name_of(*origin) : "";
+}
+
 }  // namespace
 
 SessionRecording::SessionRecording(const std::filesystem::path& file, const Scenario& scenario)
@@ -96,29 +100,34 @@ void SessionRecording::begin(double initial_yaw_rad) {
                                {"log_time", "ns since the start of the run, host clock"}}});
 }
 
-Transport& SessionRecording::headset(Transport& device, const Clock& clock) {
-    return headset_.emplace(
-        device, *recorder_, clock,
-        RecordedDevice{.name = "dk2",
-                       .packet_encoding = "x-hid",
-                       .device_time = "report 11: u32 LE at byte 8, us, wraps"});
+Transport& SessionRecording::headset(Transport& device, const Clock& clock,
+                                     std::optional<Origin> origin) {
+    return headset_.emplace(device, *recorder_, clock,
+                            RecordedDevice{.name = "dk2",
+                                           .packet_encoding = "x-hid",
+                                           .device_time = "report 11: u32 LE at byte 8, us, wraps",
+                                           .origin = text_of(origin)});
 }
 
-Transport& SessionRecording::gaze_tracker(Transport& device, const Clock& clock) {
+Transport& SessionRecording::gaze_tracker(Transport& device, const Clock& clock,
+                                          std::optional<Origin> origin) {
     return gaze_tracker_.emplace(
         device, *recorder_, clock,
         RecordedDevice{.name = "gaze",
                        .packet_encoding = "x-sgz1",
-                       .device_time = "u64 LE at byte 16, ns: when given to USB"});
+                       .device_time = "u64 LE at byte 16, ns: when given to USB",
+                       .origin = text_of(origin)});
 }
 
-Transport& SessionRecording::tracker_camera(Transport& device, const Clock& clock) {
+Transport& SessionRecording::tracker_camera(Transport& device, const Clock& clock,
+                                            std::optional<Origin> origin) {
     if (decoded_) fixes_ = recorder_->add_topic(fix_topic());
     return tracker_camera_.emplace(
         device, *recorder_, clock,
         RecordedDevice{.name = "camera",
                        .packet_encoding = "x-fcf1",
-                       .device_time = "u32 LE at byte 20, us: from its time stamp to its arrival"});
+                       .device_time = "u32 LE at byte 20, us: from its time stamp to its arrival",
+                       .origin = text_of(origin)});
 }
 
 void SessionRecording::calibration(const dk2::FactoryCalibration& factory) {

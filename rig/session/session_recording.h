@@ -26,9 +26,10 @@ class SessionRecording {
     /// Once, before the devices are opened: what a replay cannot know.
     void begin(double initial_yaw_rad);
     /// The devices, whose bytes are recorded from now on. All outlive the use of what is returned.
-    Transport& headset(Transport& device, const Clock& clock);
-    Transport& gaze_tracker(Transport& device, const Clock& clock);
-    Transport& tracker_camera(Transport& device, const Clock& clock);
+    /// `origin`: what the device is, or was before an earlier recording; none: nobody knows.
+    Transport& headset(Transport& device, const Clock& clock, std::optional<Origin> origin);
+    Transport& gaze_tracker(Transport& device, const Clock& clock, std::optional<Origin> origin);
+    Transport& tracker_camera(Transport& device, const Clock& clock, std::optional<Origin> origin);
     void calibration(const dk2::FactoryCalibration& factory);
     void calibration(const gaze::Info& tracker);
 

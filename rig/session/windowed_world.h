@@ -27,6 +27,9 @@ class WindowedWorld final : public World {
         return devices_->best_known_gaze(time);
     }
     Origin origin(std::string_view device) const override { return devices_->origin(device); }
+    std::optional<Origin> recorded_from(std::string_view device) const override {
+        return devices_->recorded_from(device);
+    }
     bool reads_back_our_frames() const override { return reads_back_; }
     bool at_end() const override { return devices_->at_end(); }
 

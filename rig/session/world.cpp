@@ -18,6 +18,11 @@ std::unique_ptr<World> make_devices(const Scenario& scenario, Clock& clock,
 
 }  // namespace
 
+std::optional<Origin> first_origin(const World& world, std::string_view device) {
+    const Origin origin = world.origin(device);
+    return origin == Origin::recorded ? world.recorded_from(device) : origin;
+}
+
 std::unique_ptr<World> make_world(const Scenario& scenario, Clock& clock, const LiveParts* live) {
     auto devices = make_devices(scenario, clock, live == nullptr ? nullptr : live->pointed_eyes);
     if (live == nullptr) return devices;

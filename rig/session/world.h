@@ -36,11 +36,17 @@ class World {
 
     /// Of "dk2", "gaze" or "camera".
     virtual Origin origin(std::string_view device) const = 0;
+    /// What a recorded one was when it was recorded; none: it is no recorded one, or its recording
+    /// does not say.
+    virtual std::optional<Origin> recorded_from(std::string_view) const { return std::nullopt; }
     /// The headset reads back the frames of this run's display, not those of another run.
     virtual bool reads_back_our_frames() const = 0;
     /// Nothing more will come. Throws InputError where the reason is a damaged file.
     virtual bool at_end() const = 0;
 };
+
+/// Simulated or hardware: what the device was before any recording; none: nobody knows.
+std::optional<Origin> first_origin(const World& world, std::string_view device);
 
 struct LiveParts;
 

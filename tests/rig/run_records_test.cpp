@@ -160,7 +160,8 @@ TEST_F(RunRecords, SayWhatWasSimulated) {
     ASSERT_EQ(small_run("again", {"--devices", "replay:" + recording.string()}).code, 0);
     for (const auto& [name, origin, words] :
          {std::tuple("run", "simulated", "Simulated: headset (the head moves as look)"),
-          std::tuple("again", "recorded", "Recorded: headset, gaze tracker.")}) {
+          std::tuple("again", "recorded",
+                     "Recorded: headset (a simulated one), gaze tracker (a simulated one).")}) {
         const auto devices =
             nlohmann::json::parse(text_of(root_ / name / "summary.json"))["devices"];
         EXPECT_EQ(devices["dk2"]["origin"], origin);

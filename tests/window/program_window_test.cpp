@@ -61,6 +61,9 @@ TEST_F(ProgramWindowTest, ShowsARunAndSaysHowSureItsVsyncsAre) {
     EXPECT_EQ(s["display"]["vsync_from"], "own clock");
     EXPECT_NEAR(s["display"]["vsync_error_ms"].get<double>(), 500.0 / 75.0, 1e-3);
     EXPECT_EQ(s["display"]["hud_frames"], 0);
+    EXPECT_EQ(s["devices"]["panel"]["origin"], "window");
+    EXPECT_THAT(text_of(root_ / "run/report.html"),
+                HasSubstr("Shown in a window on an ordinary screen"));
     EXPECT_EQ(s["latency_ms"]["warp_to_photon"]["n"], s["latency_ms"]["motion_to_photon"]["n"]);
     EXPECT_LE(s["latency_ms"]["warp_to_photon"]["p50"].get<double>(),
               s["latency_ms"]["motion_to_photon"]["p50"].get<double>());

@@ -36,11 +36,42 @@ TEST(Provenance, TellsRecordedAndRealDevicesFromSimulatedOnes) {
               "Simulated: gaze tracker (the eyes move as scan), panel. Real: headset. Frame times "
               "and waits are measured, in real time.");
     RunData replay = run_from("recorded", "recorded");
+    replay.summary["devices"]["dk2"]["recorded_from"] = "hardware";
+    replay.summary["devices"]["gaze"]["recorded_from"] = "simulated";
     replay.summary["fixed_cost"] = true;
     replay.summary["scenario"]["cost"] = "fixed:9";
     EXPECT_EQ(provenance(replay),
-              "Simulated: panel. Recorded: headset, gaze tracker. Frame times are the scenario's "
-              "(fixed:9), not measured.");
+              "Simulated: panel. Recorded: headset (a real one), gaze tracker (a simulated one). "
+              "Frame times are the scenario's (fixed:9), not measured.");
+}
+
+TEST(Provenance, SaysWhereNobodyKnowsWhatWasRecorded) {
+    RunData replay = run_from("recorded", "simulated");
+    for (int said = 0; said < 2; ++said) {
+        EXPECT_NE(provenance(replay).find("Recorded: headset (real or simulated: the recording "
+                                          "does not say). "),
+                  std::string::npos)
+            << provenance(replay);
+        replay.summary["devices"]["dk2"]["recorded_from"] = nullptr;  // older runs lack the key
+    }
+}
+
+// What stands before the eyes of who looks at an ordinary screen is no headset's panel.
+TEST(Provenance, TellsAWindowOnAScreenFromThePanel) {
+    RunData run = run_from("hardware", "hardware");
+    run.summary["devices"]["panel"]["origin"] = "hardware";
+    run.summary["scenario"]["display"]["kind"] = "headset";
+    EXPECT_EQ(provenance(run).find("Real: headset, gaze tracker, panel. Frame times"), 0U)
+        << provenance(run);
+    for (const char* origin : {"window", "hardware"}) {
+        run.summary["devices"]["panel"]["origin"] = origin;  // as runs say now, and said before
+        run.summary["scenario"]["display"]["kind"] = "window";
+        EXPECT_EQ(provenance(run).find("Real: headset, gaze tracker. Shown in a window on an "
+                                       "ordinary screen, whose light is taken to come as a DK2 "
+                                       "panel's would. Frame times"),
+                  0U)
+            << provenance(run);
+    }
 }
 
 TEST(Provenance, NamesWhatWasMadeWorseOnPurpose) {
