@@ -38,7 +38,7 @@ void ChangeOverTime::add(const Image& reference, const Image& test) {
     check_same_size(reference, test);
     Image now_r = codes_of(reference);
     Image now_t = codes_of(test);
-    if (frames_++ > 0) {
+    if (begun_) {
         check_same_size(reference_, now_r);
         const Sums sums = sum_of_rows<Sums>(now_r.height_px, [&](int y) {
             const float* r0 = &reference_.at(0, y).x;
@@ -64,8 +64,19 @@ void ChangeOverTime::add(const Image& reference, const Image& test) {
         sum_.mae += newest_.mae;
         sum_.mse += newest_.mse;
     }
-    reference_ = std::move(now_r);
-    test_ = std::move(now_t);
+    take(std::move(now_r), std::move(now_t));
+}
+
+void ChangeOverTime::see(const Image& reference, const Image& test) {
+    check_same_size(reference, test);
+    if (begun_) check_same_size(reference_, reference);
+    take(codes_of(reference), codes_of(test));
+}
+
+void ChangeOverTime::take(Image reference_codes, Image test_codes) {
+    reference_ = std::move(reference_codes);
+    test_ = std::move(test_codes);
+    begun_ = true;
 }
 
 Change ChangeOverTime::change() const {

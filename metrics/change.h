@@ -17,15 +17,19 @@ struct Change {
 /// Takes frames in their order, keeps one.
 class ChangeOverTime {
   public:
-    /// Throws std::invalid_argument where a size differs from the first frame's.
+    /// Both throw std::invalid_argument where a size differs from the first frame's.
     void add(const Image& reference, const Image& test);
+    /// A frame that is not judged, but that the next one changes from.
+    void see(const Image& reference, const Image& test);
     Change change() const;
-    /// From the last but one frame to the last; nothing of less than two frames.
+    /// To the last frame that was judged from the one before; nothing where none was.
     const Change& newest() const { return newest_; }
 
   private:
-    Image reference_, test_;
-    int frames_ = 0;
+    void take(Image reference_codes, Image test_codes);
+
+    Image reference_, test_;  // of the frame before, display codes
+    bool begun_ = false;
     Change sum_, newest_;
 };
 

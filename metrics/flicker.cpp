@@ -10,7 +10,7 @@ namespace foverig::metrics {
 
 Flicker::Flicker(double frames_per_s) : filters_(frames_per_s) {}
 
-void Flicker::add(const Image& reference, const Image& test) {
+void Flicker::see(const Image& reference, const Image& test) {
     check_same_size(reference, test);
     Plane error = luma_codes(test);
     const Plane luma = luma_codes(reference);
@@ -21,6 +21,10 @@ void Flicker::add(const Image& reference, const Image& test) {
         check_same_size({errors_[0].width_px, errors_[0].height_px, {}}, reference);
     errors_.push_front(std::move(error));
     if (errors_.size() > filters_.transient.size()) errors_.pop_back();
+}
+
+void Flicker::add(const Image& reference, const Image& test) {
+    see(reference, test);
     squares_ = Plane(reference.width_px, reference.height_px);
     const double squares = sum_of_rows<double>(reference.height_px, [&](int y) {
         std::vector<float> response(static_cast<std::size_t>(reference.width_px));

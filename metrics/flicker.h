@@ -15,11 +15,13 @@ class Flicker {
   public:
     explicit Flicker(double frames_per_s);
 
-    /// Throws std::invalid_argument where a size differs from the first frame's.
+    /// Both throw std::invalid_argument where a size differs from the first frame's.
     void add(const Image& reference, const Image& test);
-    /// 0 of less than two frames.
+    /// A frame that is not judged, but through which later ones are seen.
+    void see(const Image& reference, const Image& test);
+    /// 0 of less than two judged frames.
     double rms_codes() const;
-    /// Of the last frame alone; 0 of none.
+    /// Of the last judged frame alone; 0 of none.
     double newest_rms_codes() const;
     /// Squares of the last frame's transient channel; what rms_codes takes the mean of.
     const Plane& squares() const { return squares_; }

@@ -146,8 +146,7 @@ Plane FovVideoVdp::filtered(const std::deque<Plane>& frames,
     return sum;
 }
 
-void FovVideoVdp::add(const Image& reference, const Image& test, const GazedView& view,
-                      bool foveated) {
+void FovVideoVdp::see(const Image& reference, const Image& test) {
     check_same_size(reference, test);
     if (!references_.empty())
         check_same_size({references_[0].width_px, references_[0].height_px, {}}, reference);
@@ -157,6 +156,11 @@ void FovVideoVdp::add(const Image& reference, const Image& test, const GazedView
         references_.pop_back();
         tests_.pop_back();
     }
+}
+
+void FovVideoVdp::add(const Image& reference, const Image& test, const GazedView& view,
+                      bool foveated) {
+    see(reference, test);
     const std::size_t bands =
         bands_of(reference.width_px, reference.height_px, resolution_of(view));
     const auto levels = gaussian_pyramid(filtered(references_, taps_[0]), bands);

@@ -28,8 +28,10 @@ class FovVideoVdp {
 
     /// Frames of one size, in their order, before the first all was as in it. `view` tells how
     /// large pixels are; where the gaze is only if the vision is `foveated`, else it is sharp
-    /// everywhere. Throws std::invalid_argument where a size differs from the first frame's.
+    /// everywhere. Both throw std::invalid_argument where a size differs from the first frame's.
     void add(const Image& reference, const Image& test, const GazedView& view, bool foveated);
+    /// A frame that is not judged, but through which later ones are seen.
+    void see(const Image& reference, const Image& test);
 
     /// 10 of no frames.
     double jod() const;

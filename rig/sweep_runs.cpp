@@ -60,6 +60,13 @@ std::map<std::string, double> next_errors(const Renderer& renderer,
     return errors;
 }
 
+/// What no errors are asked of, but those of the frames after it are seen through.
+void see_next(const Renderer& renderer, const sweep::ReferenceImages& references,
+              const FrameInput& input, std::vector<sweep::FrameErrors>& of_eyes) {
+    for (std::size_t eye = 0; eye < input.eyes.size(); ++eye)
+        of_eyes[eye].see(references.image(input, eye), renderer.image(static_cast<int>(eye)));
+}
+
 }  // namespace
 
 SweepRuns::SweepRuns(const sweep::Sweep& sweep, const std::filesystem::path& folder,
@@ -141,9 +148,12 @@ sweep::Accuracy SweepRuns::accuracy(std::size_t point) {
                            {scenario.display.rate_hz, sweep_.error == "fvvdp"});
         const FrameStats stats = renderer->render(flown.input);
         accuracy.nan += stats.numerics.nan;
+        if (!is_kept(i)) {
+            see_next(*renderer, references, flown.input, of_eyes);
+            continue;
+        }
         const auto errors = next_errors(
             *renderer, references, sweep_.errors_at_truth ? at_truth(flown) : flown.input, of_eyes);
-        if (!is_kept(i)) continue;
         for (const auto& [name, error] : errors) accuracy.errors[name].push_back(error);
         if (!is_warm(i)) continue;
         add_rays(stats.rays, 1.0 / warm_frames(stage), accuracy.rays);

@@ -48,4 +48,12 @@ std::map<std::string, double> FrameErrors::add(const Image& reference, const Ima
     return errors;
 }
 
+void FrameErrors::see(const Image& reference, const Image& test) {
+    const Image r = metrics::with_finite_values(reference);
+    const Image t = metrics::with_finite_values(test);
+    change_.see(r, t);
+    flicker_.see(r, t);
+    if (vdp_) vdp_->see(r, t);
+}
+
 }  // namespace foverig::sweep

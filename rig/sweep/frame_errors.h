@@ -21,9 +21,11 @@ class FrameErrors {
     FrameErrors(double frames_per_s, bool fvvdp);
 
     /// Each of error_names() (but for `fvvdp`) of the next frame; what is of a sequence is seen
-    /// through the frames added before. `fovea` and `periphery` are 0 of no pixel.
+    /// through the frames before. `fovea` and `periphery` are 0 of no pixel.
     std::map<std::string, double> add(const Image& reference, const Image& test,
                                       const EyeInput& eye);
+    /// The next frame is not judged, but later ones are seen through it.
+    void see(const Image& reference, const Image& test);
 
   private:
     metrics::ChangeOverTime change_;

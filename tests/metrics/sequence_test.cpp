@@ -80,6 +80,33 @@ TEST(Flicker, OfAnErrorThatStandsStillIsNextToNothing) {
     EXPECT_LT(still.rms_codes(), 0.05 * blinking.rms_codes());
 }
 
+// What is thrown away need not be computed: of a frame that is only seen the next ones keep all.
+TEST(SequenceMetrics, SeeThroughFramesThatAreNotJudged) {
+    const auto frame = [](int i) {
+        return test::flat(8, 8, vec3(0.1F + 0.02F * static_cast<float>(i * i % 7)));
+    };
+    const Image still = test::flat(8, 8, vec3(0.3F));
+    ChangeOverTime all, last;
+    Flicker flicker(75.0), last_flicker(75.0);
+    for (int i = 0; i < 30; ++i) {
+        all.add(still, frame(i));
+        flicker.add(still, frame(i));
+        if (i < 29) {
+            last.see(still, frame(i));
+            last_flicker.see(still, frame(i));
+        }
+    }
+    last.add(still, frame(29));
+    last_flicker.add(still, frame(29));
+    EXPECT_EQ(last.change().pairs, 1);
+    EXPECT_EQ(last.change().mae, all.newest().mae);
+    EXPECT_GT(last.change().mae, 0.0);
+    EXPECT_EQ(last_flicker.newest_rms_codes(), flicker.newest_rms_codes());
+    EXPECT_GT(last_flicker.newest_rms_codes(), 0.0);
+    EXPECT_THROW(last.see(test::flat(4, 4, vec3(0.0F)), test::flat(4, 4, vec3(0.0F))),
+                 std::invalid_argument);
+}
+
 TEST(RegionalChange, TellsTheFoveaFromThePeripheryAndAgreesWithTheWholeImage) {
     constexpr int kWidth = 60, kHeight = 40;
     const GazedView view = gazed_screen(kWidth, kHeight, 4.0, 20.0, 20.0);

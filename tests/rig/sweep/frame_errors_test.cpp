@@ -62,10 +62,32 @@ TEST(FrameErrors, SeeAFlickerThatNoStillShows) {
     EXPECT_GT(flickering.at("flicker"), 10.0 * still.at("flicker"));
 }
 
-TEST(FrameErrors, CountMoreWhereTheEyeLooks) {
-    Image spot = grey(0.2F);
+/// A bright square on grey: what is flat has no contrast that FovVideoVDP could see.
+Image square(float linear) {
+    Image image = grey(0.2F);
     for (int y = 30; y < 50; ++y)
-        for (int x = 30; x < 50; ++x) spot.at(x, y) = vec3(0.8F);
+        for (int x = 30; x < 50; ++x) image.at(x, y) = vec3(linear);
+    return image;
+}
+
+// Of the frames before one matters only that they were seen.
+TEST(FrameErrors, AreTheSameWhetherThoseBeforeWereJudgedOrOnlySeen) {
+    const EyeInput eye = eye_looking({0.0F, 0.0F, -1.0F});
+    FrameErrors judged(kRate_hz, true);
+    FrameErrors seen(kRate_hz, true);
+    for (const float shown : {0.3F, 0.1F, 0.5F, 0.2F}) {
+        judged.add(square(0.4F), square(shown), eye);
+        seen.see(square(0.4F), square(shown));
+    }
+    const auto errors = seen.add(square(0.4F), square(0.45F), eye);
+    EXPECT_EQ(errors, judged.add(square(0.4F), square(0.45F), eye));
+    const auto alone = errors_of(square(0.4F), square(0.45F), eye);
+    for (const char* name : {"change", "flicker", "fvvdp"})
+        EXPECT_NE(errors.at(name), alone.at(name)) << name << " looks back";
+}
+
+TEST(FrameErrors, CountMoreWhereTheEyeLooks) {
+    const Image spot = square(0.8F);
     const auto at_it = errors_of(grey(0.2F), spot, eye_looking({0.0F, 0.0F, -1.0F}));
     const float aside = std::sqrt(0.5F);
     const auto beside_it = errors_of(grey(0.2F), spot, eye_looking({aside, 0.0F, -aside}));
