@@ -15,7 +15,7 @@ constexpr const char* kAnyPass = "NAME";
 /// A frame that has every number.
 FrameRecord whole_frame() {
     FrameRecord frame;
-    frame.pose = frame.gaze = frame.warp = SampleInstants{};
+    frame.pose = frame.gaze = frame.warp = frame.see_through = SampleInstants{};
     frame.vsync = frame.photon = frame.readback_scan_out = HostTime{};
     frame.photon_eye = {HostTime{}, HostTime{}};
     frame.shown_vsync = 0;
@@ -26,25 +26,19 @@ FrameRecord whole_frame() {
     return frame;
 }
 
+DeviceRecord device(const char* name, Troubles troubles) {
+    return {.name = name, .counts = {}, .rate_hz = {}, .troubles = std::move(troubles)};
+}
+
 /// What a run can leave, with numbers that mean nothing. What this one will not have (a recording)
 /// is there too: it is absent then, and a check of what is absent fails.
 nlohmann::json summary_of_any_run(const Scenario& scenario) {
     RunRecord run;
     run.frames = {whole_frame()};
-    run.devices = {
-        {.name = "dk2",
-         .counts = {},
-         .rate_hz = {},
-         .troubles = {{"control_failures", 0}, {"format_switches", 0}}},
-        {.name = "gaze",
-         .counts = {},
-         .rate_hz = {},
-         .troubles = {{"missed_exposures", 0}, {"dropped_by_device", 0}, {"control_failures", 0}}}};
-    if (scenario.tracking.camera)
-        run.devices.push_back({.name = "camera",
-                               .counts = {},
-                               .rate_hz = {},
-                               .troubles = {{"frames_of_no_known_flash", 0}}});
+    run.devices = {device("dk2", by_key(HeadsetTroubles{})),
+                   device("gaze", by_key(GazeTroubles{}))};
+    if (scenario.tracking.camera) run.devices.push_back(device("camera", by_key(CameraTroubles{})));
+    if (!scenario.see_through.camera.empty()) run.devices.push_back(device("see_through", {}));
     run.recording.emplace();
     run.display.emplace();
     if (!scenario.governor.front.empty() || !scenario.governor.settings.empty())

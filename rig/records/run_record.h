@@ -10,6 +10,7 @@
 #include "renderer/effects/plan.h"
 #include "rig/identity/processor_use.h"
 #include "rig/records/frame_record.h"
+#include "rig/records/troubles.h"
 
 namespace foverig {
 
@@ -31,8 +32,7 @@ struct DeviceRecord {
     SourceCounts counts;
     std::optional<double> rate_hz;  ///< samples over the time they were taken in
     std::vector<Outage> outages{};
-    /// What went wrong in ways that only this kind of device has: name (as a key) and count.
-    std::map<std::string, std::uint64_t> troubles{};
+    Troubles troubles{};
     Origin origin = Origin::simulated;
     /// Of a recorded device: what it was when it was recorded; none: the recording does not say.
     std::optional<Origin> recorded_from{};

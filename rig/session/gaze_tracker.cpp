@@ -30,9 +30,9 @@ DeviceRecord GazeTracker::record() const {
     return {.name = "gaze",
             .counts = source_.counts(),
             .rate_hz = sample_rate_hz(source_.counts().samples, first_, newest_any_),
-            .troubles = {{"missed_exposures", source_.missed_exposures()},
-                         {"dropped_by_device", source_.dropped_by_device()},
-                         {"control_failures", source_.control_failures()}}};
+            .troubles = by_key(GazeTroubles{.missed_exposures = source_.missed_exposures(),
+                                            .dropped_by_device = source_.dropped_by_device(),
+                                            .control_failures = source_.control_failures()})};
 }
 
 }  // namespace foverig

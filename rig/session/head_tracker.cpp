@@ -66,15 +66,15 @@ std::optional<DeviceRecord> HeadTracker::camera_record() const {
         .name = "camera",
         .counts = counts,
         .rate_hz = sample_rate_hz(camera_->counts().tracker.poses, first_fix_, newest_fix_),
-        .troubles = {{"frames_of_no_known_flash", camera_->counts().unpaired}}};
+        .troubles = by_key(CameraTroubles{.frames_of_no_known_flash = camera_->counts().unpaired})};
 }
 
 DeviceRecord HeadTracker::record() const {
     return {.name = "dk2",
             .counts = source_.counts(),
             .rate_hz = sample_rate_hz(source_.counts().samples, first_, newest_),
-            .troubles = {{"control_failures", source_.control_failures()},
-                         {"format_switches", source_.format_switches()}}};
+            .troubles = by_key(HeadsetTroubles{.control_failures = source_.control_failures(),
+                                               .format_switches = source_.format_switches()})};
 }
 
 }  // namespace foverig

@@ -88,7 +88,9 @@ TEST_F(ProgramWindowTest, TheHudIsCountedWhereItIsOn) {
 TEST_F(ProgramWindowTest, ACameraSeesThrough) {
     const test::Xvfb desktop;
     ASSERT_TRUE(desktop.ready());
-    const Outcome run = windowed_run({"--seconds", "1", "--set", "see_through.camera=sim"});
+    const Outcome run = windowed_run({"--seconds", "1", "--set", "see_through.camera=sim",
+                                      "--fail-if", "devices.see_through.lost > 0", "--fail-if",
+                                      "latency_ms.see_through_to_photon.p50 > 1e6"});
     ASSERT_EQ(run.code, 0) << run.err;
     const auto s = summary();
     EXPECT_GE(s["devices"]["see_through"]["samples"].get<int>(), 20);
