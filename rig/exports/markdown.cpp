@@ -85,7 +85,7 @@ std::string markdown(const report::RunData& run) {
     row(text, "frames dropped", number(s.at("frames").at("dropped")),
         fmt::format("of {} rendered", number(s.at("frames").at("rendered"))));
     row(text, "frames mis-presented", number(s.at("frames").value("mis_presented", json())),
-        "shown at another VSync than they were predicted for");
+        "shown at another VSync than their pictures are of");
     for (const auto& [name, key] : {std::pair("motion to photon", "motion_to_photon"),
                                     std::pair("gaze to photon", "gaze_to_photon")}) {
         const json& latency = s.at("latency_ms").at(key);

@@ -109,8 +109,9 @@ std::vector<Column> times_and_counts() {
         {"late", "", "1: missed the VSync that it was begun for",
          [](F f) { return count(f.late()); }},
         {"mis_presented", "",
-         "1: shown at another VSync than pose and gaze were predicted for, be it later or earlier "
-         "(a late warp turns the picture to the pose at that VSync, not the gaze)",
+         "1: shown at another VSync than its picture is of, be it later or earlier: the one that "
+         "its head pose was predicted for or, where there is a late warp (warp_sample_ns), that "
+         "the warp turned it to; the gaze is always of the former",
          [](F f) { return count(f.mis_presented); }},
         {"dropped", "", "1: replaced before any VSync showed it",
          [](F f) { return count(f.dropped()); }},

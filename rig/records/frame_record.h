@@ -37,7 +37,7 @@ struct FrameRecord {
 
     HostTime aimed_vsync{};                    ///< the first VSync after its begin
     std::optional<std::uint64_t> shown_vsync;  ///< number of the VSync that showed it first
-    bool mis_presented = false;                ///< ... is another than its pose was predicted for
+    bool mis_presented = false;                ///< ... is another than the picture is of
     std::uint32_t missed_vsyncs = 0;  ///< repeats of the frame before, just before this one
 
     double render_ms = 0.0;        ///< wall time in the renderer, whatever the clock

@@ -80,10 +80,11 @@ std::string tiles(const RunData& run) {
                  fmt::format("a frame, {} primary", count(run.number({"rays", "primary"}))));
     html += tile(
         "frames", count(run.number({"frames", "rendered"})),
-        fmt::format(
-            "{} shown, {} dropped, {} late, {} mis-presented: at another VSync than predicted",
-            count(run.number({"frames", "presented"})), count(run.number({"frames", "dropped"})),
-            count(run.number({"frames", "late"})), count(run.number({"frames", "mis_presented"}))));
+        fmt::format("{} shown, {} dropped, {} late, {} mis-presented: at another VSync than the "
+                    "picture is of",
+                    count(run.number({"frames", "presented"})),
+                    count(run.number({"frames", "dropped"})), count(run.number({"frames", "late"})),
+                    count(run.number({"frames", "mis_presented"}))));
     const auto error_deg = run.number({"latency_ms", "prediction_error_deg", "p99"});
     html += tile("prediction error", error_deg ? number(error_deg) + "°" : number(error_deg),
                  "p99, head pose at the photon");

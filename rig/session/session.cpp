@@ -69,8 +69,7 @@ RunRecord Session::run(const SessionHooks& hooks) {
         FrameInput input = input_for(frame, expected_vsync);
         if (const auto ms = hooks.fixed_ms()) clock_.set_fixed_ms(*ms);
         render_frame(frame, input);
-        draw(frame, expected_vsync);
-        present(frame, expected_vsync);
+        present(frame, draw(frame, expected_vsync));
         frame.cpu_ms = to_ms(process_time() - cpu_began);
         judge(frame, input);
         frames_.push_back(std::move(frame));
@@ -141,9 +140,10 @@ EyePicture Session::picture_of(int eye) const {
             [this, eye](unsigned int texture) { return renderer_.copy_to_texture(eye, texture); }};
 }
 
-void Session::draw(FrameRecord& frame, HostTime expected_vsync) {
+HostTime Session::draw(FrameRecord& frame, HostTime expected_vsync) {
     Display& display = world_->display();
-    if (!display.draws_pictures()) return;
+    if (!display.draws_pictures()) return expected_vsync;
+    HostTime pictured_vsync = expected_vsync;
     FramePictures pictures;
     pictures.eyes = eye_count(scenario_);
     for (std::size_t i = 0; i < pictures.eyes; ++i) {
@@ -152,13 +152,14 @@ void Session::draw(FrameRecord& frame, HostTime expected_vsync) {
     }
     if (scenario_.window.late_warp)
         pictures.newest = [&] {
-            warp_to_newest(frame, expected_vsync);
+            pictured_vsync = warp_to_newest(frame, expected_vsync);
             return std::array{poses_[0].world_from_head, poses_[1].world_from_head};
         };
     if (see_through_) see_through(frame, pictures);
     const DrawTimes times = display.draw(pictures);
     frame.passes.push_back({"window_upload", to_ms(times.upload)});
     frame.passes.push_back({"window_lens", to_ms(times.lens)});
+    return pictured_vsync;
 }
 
 void Session::see_through(FrameRecord& frame, FramePictures& pictures) {
@@ -168,16 +169,17 @@ void Session::see_through(FrameRecord& frame, FramePictures& pictures) {
     frame.passes.push_back({"see_through", to_ms(stopwatch.now().time_since_epoch())});
 }
 
-void Session::warp_to_newest(FrameRecord& frame, HostTime expected_vsync) {
+HostTime Session::warp_to_newest(FrameRecord& frame, HostTime expected_vsync) {
     devices_.read_until(clock_.now());
     frame.warp = devices_.head().newest();
     const Display& display = world_->display();
     const HostTime vsync = std::max(expected_vsync, display.next_vsync(clock_.now()));
     for (std::size_t i = 0; i < eye_count(scenario_); ++i)
         poses_[i] = devices_.head().predict(display.timing().photon(vsync, kEyes[i]));
+    return vsync;
 }
 
-void Session::present(FrameRecord& frame, HostTime expected_vsync) {
+void Session::present(FrameRecord& frame, HostTime pictured_vsync) {
     clock_.end_work(0.0);  // a fixed cost is the whole frame's: none is left for the distortion
     frame.present = clock_.now();
     FrameOnPanel on_panel{.frame_id = frame.frame};
@@ -185,19 +187,19 @@ void Session::present(FrameRecord& frame, HostTime expected_vsync) {
         on_panel.latency_level = latency_tester_.mark({.frame_id = frame.frame,
                                                        .imu_sample = frame.pose->taken,
                                                        .submit = frame.present,
-                                                       .predicted_scan_out = expected_vsync});
+                                                       .predicted_scan_out = pictured_vsync});
     }
-    show(frame, world_->display().present(on_panel, frame.present), expected_vsync);
+    show(frame, world_->display().present(on_panel, frame.present), pictured_vsync);
     pacing_.frame_done(frame.begin, frame.present);
 }
 
-void Session::show(FrameRecord& frame, const Presentation& shown, HostTime expected_vsync) {
+void Session::show(FrameRecord& frame, const Presentation& shown, HostTime pictured_vsync) {
     if (shown.replaced && !frames_.empty()) frames_.back().drop();
     const PanelTiming& timing = world_->display().timing();
     frame.shown_vsync = shown.vsync_number;
     frame.vsync = shown.vsync;
     // Half a period, as a window's VSyncs are no exact grid.
-    const double periods = to_seconds(shown.vsync - expected_vsync) * timing.refresh_hz;
+    const double periods = to_seconds(shown.vsync - pictured_vsync) * timing.refresh_hz;
     frame.mis_presented = std::abs(periods) > 0.5;
     const auto eyes = eye_count(scenario_);
     for (std::size_t i = 0; i < eyes; ++i) {

@@ -52,11 +52,12 @@ class Session {
     FrameInput input_for(FrameRecord& frame, HostTime expected_vsync);
     void render_frame(FrameRecord& frame, FrameInput& input);
     EyePicture picture_of(int eye) const;
-    void draw(FrameRecord& frame, HostTime expected_vsync);
+    /// Returns the VSync that the picture is of, which a late warp may see coming later.
+    HostTime draw(FrameRecord& frame, HostTime expected_vsync);
     void see_through(FrameRecord& frame, FramePictures& pictures);
-    void warp_to_newest(FrameRecord& frame, HostTime expected_vsync);
-    void present(FrameRecord& frame, HostTime expected_vsync);
-    void show(FrameRecord& frame, const Presentation& shown, HostTime expected_vsync);
+    HostTime warp_to_newest(FrameRecord& frame, HostTime expected_vsync);
+    void present(FrameRecord& frame, HostTime pictured_vsync);
+    void show(FrameRecord& frame, const Presentation& shown, HostTime pictured_vsync);
     void judge(FrameRecord& frame, const FrameInput& input) const;
     void judge_turn(FrameRecord& frame) const;
     void match_readbacks();

@@ -6,6 +6,7 @@
 #include "rig/records/columns.h"
 #include "rig/records/frames_csv.h"
 #include "rig/records/vsync_count.h"
+#include "simulators/panel/virtual_panel.h"
 #include "tests/rig/session/fake_renderer.h"
 
 namespace foverig {
@@ -160,6 +161,52 @@ TEST(Session, TellsFramesThatAreLateFromThoseThatCameAtAnotherVsyncThanPredicted
     const VsyncCount c = count_vsyncs(r.frames);
     EXPECT_EQ(c.mis_presented, 7U);
     EXPECT_EQ(c.late, 9U);
+}
+
+/// A panel that draws as a window does: it asks for the newest pose when the frame is rendered.
+class DrawingPanel final : public Display {
+  public:
+    const PanelTiming& timing() const override { return panel_.timing(); }
+    HostTime next_vsync(HostTime at) const override { return panel_.next_vsync(at); }
+    bool draws_pictures() const override { return true; }
+    DrawTimes draw(const FramePictures& frame) override {
+        if (frame.newest) frame.newest();
+        return {};
+    }
+    Presentation present(const FrameOnPanel& frame, HostTime submit) override {
+        return panel_.present(frame, submit);
+    }
+
+  private:
+    VirtualPanel panel_;
+};
+
+// Once a frame is rendered, the warp sees which VSync it will make: a late frame's picture is of
+// that one. A frame that comes sooner than predicted is still of the later one.
+TEST(Session, JudgesALateWarpedFrameByTheVsyncThatItWasWarpedTo) {
+    LiveParts live;
+    live.make_display = [](const Clock&) { return std::make_unique<DrawingPanel>(); };
+    for (const bool late_warp : {true, false}) {
+        Scenario s = scenario_of(10.0, 27);
+        s.window.late_warp = late_warp;
+        FakeRenderer renderer;
+        SessionHooks hooks;
+        std::size_t next = 0;
+        hooks.fixed_ms = [&] {
+            const std::size_t i = next++;
+            return i == 6 ? 20.0 : i >= 13 && i < 21 ? 30.0 : 10.0;
+        };
+        const Scene scene = small_scene();
+        const RunRecord r = Session(s, scene, renderer, nullptr, nullptr, &live).run(hooks);
+        ASSERT_EQ(r.frames.size(), 27U);
+        for (std::size_t i = 0; i < r.frames.size(); ++i) {
+            const FrameRecord& f = r.frames[i];
+            const bool later_than_predicted = i == 6 || (i >= 13 && i < 16);
+            const bool sooner = i >= 21 && i < 24;
+            EXPECT_EQ(f.warp.has_value(), late_warp) << i;
+            EXPECT_EQ(f.mis_presented, sooner || (!late_warp && later_than_predicted)) << i;
+        }
+    }
 }
 
 TEST(Session, ShowsEveryVsyncOfItsDurationOnce) {
