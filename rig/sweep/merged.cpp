@@ -33,10 +33,16 @@ void check_same(const Measured& measured, const nlohmann::json& header, const fs
             file.string()));
 }
 
+/// What another file has too, as where a sweep went on under another --shard, counts once.
 void take(const JournalContent& content, Measured& measured) {
     for (const Accuracy& accuracy : content.accuracies)
         measured.accuracies.emplace(accuracy.point, accuracy);
-    for (const Times& times : content.times) measured.times[times.point].push_back(times);
+    for (const Times& times : content.times) {
+        auto& runs = measured.times[times.point];
+        if (std::none_of(runs.begin(), runs.end(),
+                         [&](const Times& run) { return run.repetition == times.repetition; }))
+            runs.push_back(times);
+    }
 }
 
 }  // namespace

@@ -118,6 +118,23 @@ TEST_F(ProgramSweep, InTwoShardsGivesTheSameBytes) {
     expect_same_result("shards", "whole");
 }
 
+// Begun as a shard, finished without: what both files hold counts once.
+TEST_F(ProgramSweep, CountsARunOnceThatTwoShardingsMeasured) {
+    std::string text = text_of(kSmoke);
+    text = "repetitions = 2\n" + std::regex_replace(text, std::regex("cost = \"fixed:9\""), "");
+    text = std::regex_replace(text, std::regex("0\\.02, 0\\.05, 0\\.3"), "0.05");
+    std::ofstream(root_ / "timed.toml") << text;
+    const auto sweep = [&](const char* shard) {
+        return foverig({"sweep", place("timed.toml"), "--out", place("t"), "--shard", shard});
+    };
+    ASSERT_EQ(sweep("0/2").code, 0);
+    const Outcome whole = sweep("0/1");
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    EXPECT_THAT(whole.out, HasSubstr("pareto.html")) << whole.out;
+    EXPECT_EQ(pareto("t")["points"][0]["time_ms"]["runs"].size(), 2U);
+    EXPECT_EQ(foverig({"report", place("t")}).code, 0);
+}
+
 TEST_F(ProgramSweep, RendersTheReferenceOnce) {
     ASSERT_EQ(smoke("a").code, 0);
     const auto count = [&] {
