@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "rig/failure.h"
@@ -30,20 +31,47 @@ std::size_t nearest_value(const Knob& knob, const KeyValue& current) {
     return nearest;
 }
 
+/// Of what is no number any order will do.
+bool is_in_order(const Knob& knob) {
+    std::vector<double> numbers;
+    for (const KeyValue& value : knob.values)
+        if (const auto number = number_of(value)) numbers.push_back(*number);
+    return std::is_sorted(numbers.begin(), numbers.end()) ||
+           std::is_sorted(numbers.rbegin(), numbers.rend());
+}
+
 }  // namespace
 
 GridWalk::GridWalk(const Sweep& sweep) : sweep_(sweep) {
     std::size_t count = 1;
     for (const Knob& knob : sweep.knobs) {
+        if (!is_in_order(knob))
+            throw UsageError(fmt::format(
+                "{}: the values of {} go up and down; expected them in rising or falling order, as "
+                "the search goes from one to the next",
+                sweep.name, knob.key->name));
         sizes_.push_back(knob.values.size());
         count *= knob.values.size();
     }
     const std::size_t points = sweep.points.size() - sweep.price_points.size();
-    if (count == 0 || (points != count && points != count + 1))
+    first_ = points - std::min(points, count);
+    if (count == 0 || points > count + 1 || !holds_all(count))
         throw UsageError(fmt::format(
             "{}: a search needs design.kind = \"grid\" and knobs that are lists of values",
             sweep.name));
-    first_ = points - count;
+}
+
+/// A Latin hypercube of lists may have as many points as the grid.
+bool GridWalk::holds_all(std::size_t count) const {
+    for (std::size_t index = 0; index < count; ++index) {
+        if (first_ + index >= sweep_.points.size()) return false;
+        std::size_t left = index;
+        for (std::size_t knob = sizes_.size(); knob-- > 0; left /= sizes_[knob]) {
+            const KeyValue& value = sweep_.knobs[knob].values[left % sizes_[knob]];
+            if (!(sweep_.points[first_ + index].settings[knob].second == value)) return false;
+        }
+    }
+    return true;
 }
 
 GridPlace GridWalk::start() const {

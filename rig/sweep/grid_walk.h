@@ -8,7 +8,7 @@ namespace foverig::sweep {
 class GridWalk {
   public:
     /// Throws UsageError where the sweep's points are no grid: a knob that is a range, or a Latin
-    /// hypercube.
+    /// hypercube; and where the numbers of a knob go up and down, as steps lead nowhere then.
     explicit GridWalk(const Sweep& sweep);
 
     const std::vector<std::size_t>& sizes() const { return sizes_; }
@@ -18,6 +18,8 @@ class GridWalk {
     std::size_t point_at(const GridPlace& place) const;
 
   private:
+    bool holds_all(std::size_t count) const;
+
     const Sweep& sweep_;
     std::vector<std::size_t> sizes_;
     std::size_t first_ = 0;  ///< the base stands before the grid where the grid does not meet it

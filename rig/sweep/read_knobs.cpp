@@ -59,6 +59,10 @@ Knob read_knob(const fs::path& file, const std::string& name, const toml::node& 
             refuse(
                 file, element,
                 fmt::format("{} is {}; expected {}", name, described(element), knob.key->expected));
+        if (std::find(knob.values.begin(), knob.values.end(), *value) != knob.values.end())
+            refuse(file, element,
+                   fmt::format("{} has {} twice; expected values that differ", name,
+                               described(element)));
         knob.values.push_back(*value);
     }
     return knob;

@@ -79,12 +79,23 @@ TEST_F(ProgramTune, SaysWhenNothingFitsAndServesAnotherBudgetFromWhatItHas) {
 }
 
 TEST_F(ProgramTune, RefusesASweepThatIsNoGrid) {
+    const std::string text = text_of(kSmoke);
+    for (const char* points : {"4", "5", "6"}) {  // the grid would have 6
+        std::ofstream(root_ / "latin.toml")
+            << text << "\n[design]\nkind = \"latin\"\npoints = " << points << "\n";
+        const Outcome outcome = foverig({"tune", place("latin.toml"), "--out", place("a")});
+        EXPECT_EQ(outcome.code, 2) << points;
+        EXPECT_THAT(outcome.err, HasSubstr("needs design.kind"));
+    }
+}
+
+TEST_F(ProgramTune, RefusesValuesThatGoUpAndDown) {
     std::string text = text_of(kSmoke);
-    text += "\n[design]\nkind = \"latin\"\npoints = 4\n";
-    std::ofstream(root_ / "latin.toml") << text;
-    const Outcome outcome = foverig({"tune", place("latin.toml"), "--out", place("a")});
+    text.replace(text.find("0.02, 0.05, 0.3"), 15, "0.05, 0.02, 0.3");
+    std::ofstream(root_ / "unordered.toml") << text;
+    const Outcome outcome = foverig({"tune", place("unordered.toml"), "--out", place("a")});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.err, HasSubstr("needs design.kind"));
+    EXPECT_THAT(outcome.err, HasSubstr("the values of foveation.p_min go up and down"));
 }
 
 }  // namespace

@@ -100,6 +100,8 @@ TEST_F(ReadSweep, SaysWhatIsWrongAndWhere) {
     EXPECT_THAT(complaint("[knobs]\nfoveation.p_min = []\n"),
                 HasSubstr("my.toml:2: foveation.p_min has no values"));
     EXPECT_THAT(complaint("[knobs]\nfoveation.p_min = 0.2\n"), HasSubstr("has no values"));
+    EXPECT_THAT(complaint("[knobs]\nfoveation.p_min = [1, 0.2, 1.0]\n"),
+                HasSubstr("my.toml:2: foveation.p_min has the number 1 twice"));
     EXPECT_THAT(complaint("[knobs]\nfoveation.p_min = [0.2, \"x\"]\n"),
                 HasSubstr("foveation.p_min is text \"x\"; expected a number from 0 to 1"));
     EXPECT_THAT(
