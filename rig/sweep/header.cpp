@@ -1,6 +1,7 @@
 #include "rig/sweep/header.h"
 
 #include "rig/scenario/write.h"
+#include "rig/session/recorded_origin.h"
 
 namespace foverig::sweep {
 namespace {
@@ -47,6 +48,21 @@ void add_cases(const Sweep& sweep, json& definition) {
     }
 }
 
+/// Of each device what a run's summary says of it: simulated, or recorded and of what.
+json devices_json(const Scenario& scenario) {
+    const std::string file = replayed_file(scenario);
+    json devices = {{"panel", {{"origin", name_of(Origin::simulated)}}}};
+    for (const char* device : {"dk2", "gaze", "camera"}) {
+        if (device == std::string("camera") && !scenario.tracking.camera) continue;
+        devices[device]["origin"] = name_of(file.empty() ? Origin::simulated : Origin::recorded);
+        if (file.empty()) continue;
+        const auto recording = Recording::open(file);
+        const auto was = recording ? recorded_origin(*recording, device) : std::nullopt;
+        devices[device]["recorded_from"] = was ? json(name_of(*was)) : json(nullptr);
+    }
+    return devices;
+}
+
 }  // namespace
 
 json value_json(const KeyValue& value) {
@@ -56,6 +72,7 @@ json value_json(const KeyValue& value) {
 json definition_json(const Sweep& sweep) {
     json definition = {{"name", sweep.name},
                        {"scenario", scenario_json(sweep.base)},
+                       {"devices", devices_json(sweep.base)},
                        {"reference", reference_json(sweep, sweep.reference)},
                        {"knobs", knob_names(sweep)},
                        {"points", points_json(sweep)},

@@ -8,8 +8,8 @@
 
 namespace foverig::sweep {
 
-/// {name, scenario, knobs, points[], default_point, reference, repetitions, ...}: the sweep,
-/// resolved. What a sweep does not use (prices, cases, paper, stretches) is not in it.
+/// {name, scenario, devices, knobs, points[], default_point, reference, repetitions, ...}: the
+/// sweep, resolved. What a sweep does not use (prices, cases, paper, stretches) is not in it.
 nlohmann::json definition_json(const Sweep& sweep);
 
 /// {schema "foverig.sweep/1", sweep, build, host}. `program` tells builds of one commit apart.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "rig/report/markup.h"
+#include "rig/report/provenance.h"
 #include "rig/report/style.h"
 #include "rig/sweep/knob_charts.h"
 #include "rig/sweep/page_tables.h"
@@ -83,6 +84,16 @@ std::string shown_frames(const json& sweep) {
                        sweep.at("stretches").at("frames").dump(), warm_up, flight);
 }
 
+/// As a run's report has it; the folder of an older sweep does not say what its devices were.
+std::string what_was_simulated(const json& pareto) {
+    const json& sweep = pareto.at("sweep");
+    report::RunData run;
+    run.summary = {{"scenario", sweep.at("scenario")},
+                   {"devices", sweep.value("devices", json::object())},
+                   {"fixed_cost", pareto.at("modelled")}};
+    return report::provenance(run);
+}
+
 std::string head(const json& pareto) {
     const json& sweep = pareto.at("sweep");
     const json& display = sweep.at("scenario").at("display");
@@ -92,7 +103,7 @@ std::string head(const json& pareto) {
                              escaped(value_text(host.at("cpu"))), host.at("cores").dump());
     return fmt::format(
         "<h1>What accuracy costs in time: {}</h1><p class=\"identity\">{} · {} x {} pixels, {} "
-        "eye(s) · {} · {} · {} points · foverig {} ({}), {}</p>",
+        "eye(s) · {} · {} · {} points · foverig {} ({}), {}</p><p class=\"identity\">{}</p>",
         escaped(sweep.at("name").get<std::string>()), shown_scenes(sweep),
         display.at("eye_width_px").dump(), display.at("eye_height_px").dump(),
         display.at("eyes").dump(), shown_frames(sweep),
@@ -100,7 +111,8 @@ std::string head(const json& pareto) {
             ? "times are modelled: fixed cost"
             : sweep.at("repetitions").dump() + " runs a point, interleaved",
         pareto.at("points").size(), escaped(value_text(pareto.at("build").at("version"))),
-        escaped(value_text(pareto.at("build").at("git"))), hosts);
+        escaped(value_text(pareto.at("build").at("git"))), hosts,
+        escaped(what_was_simulated(pareto)));
 }
 
 std::string listing(const char* title, const json& value) {

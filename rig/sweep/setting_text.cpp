@@ -2,15 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace foverig::sweep {
 
+namespace {
+
+std::string last_part(const std::string& name) {
+    return name.substr(name.rfind('.') + 1);
+}
+
+}  // namespace
+
 std::string setting_text(const nlohmann::json& settings) {
+    std::map<std::string, int> alike;
+    for (const auto& [name, value] : settings.items()) ++alike[last_part(name)];
     std::string text;
-    for (const auto& [name, value] : settings.items())
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name.substr(name.rfind('.') + 1),
+    for (const auto& [name, value] : settings.items()) {
+        const std::string part = last_part(name);
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", alike[part] > 1 ? name : part,
                             value_text(value));
+    }
     return text;
 }
 

@@ -4,7 +4,8 @@
 
 namespace foverig::sweep {
 
-/// {"foveation.p_min": 0.05, ...} -> "p_min 0.05, ...": last parts of the names, numbers short.
+/// {"foveation.p_min": 0.05, ...} -> "p_min 0.05, ...": the names' last parts where they differ,
+/// and short numbers.
 std::string setting_text(const nlohmann::json& settings);
 
 /// "0.05", "full", "[1,2]".

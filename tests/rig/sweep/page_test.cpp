@@ -22,6 +22,7 @@ Measured three_points() {
           {"frames", 4},
           {"display",
            {{"rate_hz", 75.0}, {"eyes", 1}, {"eye_width_px", 64}, {"eye_height_px", 48}}}}},
+        {"devices", {{"dk2", {{"origin", "recorded"}, {"recorded_from", "hardware"}}}}},
         {"reference", json::object()},
         {"knobs", {"foveation.p_min"}},
         {"points",
@@ -75,6 +76,7 @@ TEST(ParetoPage, SaysWhatTheJsonSays) {
     EXPECT_THAT(html, HasSubstr("p_min 0.3 <b>(default)</b>"));
     EXPECT_THAT(html, HasSubstr("no setting of this sweep"));
     EXPECT_THAT(html, HasSubstr("Abacus, 3 cores"));
+    EXPECT_THAT(html, HasSubstr("Recorded: headset (a real one). Frame times are measured"));
     EXPECT_THAT(html, HasSubstr("n too small"));
     EXPECT_THAT(html, testing::Not(HasSubstr("<script")));
     EXPECT_THAT(html, testing::Not(HasSubstr("://")));
