@@ -19,6 +19,7 @@ void add_context(const Options& options) {
                 std::string(part) + "." + key,
                 value.is_string() ? value.get<std::string>() : value.dump());
     benchmark::AddCustomContext("robust_tracing", options.robust ? "true" : "false");
+    benchmark::AddCustomContext("devices", options.devices);
 }
 
 int run(int argc, char** argv) {
@@ -47,6 +48,10 @@ int run(int argc, char** argv) {
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     app.add_flag("--robust,!--no-robust", o.robust, "watertight tracing")->capture_default_str();
+    app.add_option("--devices", o.devices,
+                   "whose latency and VSyncs are measured: simulated ones, or those on the desk")
+        ->check(CLI::IsMember({"sim", "hardware"}))
+        ->capture_default_str();
     app.add_option("--child", child, "internal: one large scene, measured in its own process");
     CLI11_PARSE(app, argc, argv);
     if (!child.empty()) return run_large_scene(child);

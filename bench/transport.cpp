@@ -1,7 +1,7 @@
-// Issue 4, bar 5: from a read() that returns to the sample in the hands of whoever asked, through
-// the reader thread, the queue, decoder and clock map of a headset on the desk. Beside it what a
-// bare semaphore takes between two threads, which is the machine's part, and what one call takes
-// when packets wait already, which is ours.
+// From a packet's arrival (its read() has returned) to the sample in the hands of whoever asked,
+// through the reader thread, the queue, decoder and clock map of a headset on the desk, or of one
+// whose reports come over a socket. Beside it what a bare semaphore takes between two threads,
+// which is the machine's part, and what one call takes when packets wait already, which is ours.
 #include <benchmark/benchmark.h>
 #include <poll.h>
 #include <pthread.h>
@@ -10,13 +10,16 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <optional>
 #include <semaphore>
 #include <thread>
 
+#include "bench/on_devices.h"
 #include "bench/suites.h"
 #include "devices/dk2/imu_source.h"
 #include "devices/hardware/live_transport.h"
+#include "rig/session/world.h"
 #include "simulators/dk2/simulated_dk2.h"
 #include "simulators/motion/catalog.h"
 
@@ -24,11 +27,8 @@ namespace foverig::bench {
 namespace {
 
 constexpr int kWarmUp = 500;
-constexpr int kReports = 10'000;  // 10 s at 1 kHz
+constexpr int kSamples = 10'000;  // 10 s at 1 kHz
 constexpr auto kPeriod = std::chrono::milliseconds(1);
-
-/// When read() returned, by the count of samples in the report.
-using ReadTimes = std::vector<std::atomic<std::int64_t>>;
 
 class Socket {
   public:
@@ -45,8 +45,7 @@ class Socket {
 /// A headset whose reports come over a socket and whose answers are a simulated one's.
 class SocketLink final : public hardware::Link {
   public:
-    SocketLink(int fd, const Clock& clock, ReadTimes& times)
-        : fd_(fd), clock_(clock), times_(times) {}
+    explicit SocketLink(int fd) : fd_(fd) {}
 
     Status read(hardware::PacketQueue& packets) override {
         pollfd waiting{fd_, POLLIN, 0};
@@ -54,9 +53,6 @@ class SocketLink final : public hardware::Link {
         std::array<std::byte, 64> report{};
         if (::read(fd_, report.data(), report.size()) != static_cast<ssize_t>(report.size()))
             return Done{};
-        const HostTime now = clock_.now();
-        if (const auto decoded = dk2::InputReport11::decode(report))
-            times_[decoded->sample_count % times_.size()] = now.time_since_epoch().count();
         packets.push(report);
         return Done{};
     }
@@ -70,8 +66,6 @@ class SocketLink final : public hardware::Link {
 
   private:
     int fd_;
-    const Clock& clock_;
-    ReadTimes& times_;
     ManualClock idle_;
     std::unique_ptr<motion::HeadMotion> head_ = motion::make_head("still", 1).value();
     SimulatedDk2 answers_{idle_, *head_};
@@ -82,7 +76,7 @@ void send_reports(int fd, const std::stop_token& stop) {
     report.num_samples = 1;
     report.slots[0] = {{0, 98000, 0}, {100, -200, 300}};
     auto due = std::chrono::steady_clock::now();
-    for (int i = 1; i <= kWarmUp + kReports && !stop.stop_requested(); ++i) {
+    for (int i = 1; i <= kWarmUp + kSamples && !stop.stop_requested(); ++i) {
         report.sample_count = static_cast<std::uint16_t>(i);
         report.sample_timestamp_us = static_cast<std::uint32_t>(1000 * i);
         const auto bytes = report.encode();
@@ -118,71 +112,113 @@ constexpr Nanoseconds kLongest{60'000'000'000};
 /// Of each sample after the warm-up. A way returns nothing where it failed.
 using Durations_us = std::optional<std::vector<double>>;
 
-bool is_what_was_sent(const ImuSample& sample) {
-    return glm::distance(sample.accel_m_s2, dvec3(0.0, 9.8, 0.0)) < 1e-6;
-}
+constexpr dvec3 kSent_m_s2{0.0, 9.8, 0.0};
 
-struct Desk {
-    Feed& feed;
-    const WallClock clock{};
-    ReadTimes times = ReadTimes(std::size_t{1} << 16U);
-    std::unique_ptr<hardware::LiveTransport> transport =
-        std::move(hardware::LiveTransport::open(
-                      clock,
-                      [this]() -> Result<std::unique_ptr<hardware::Link>> {
-                          return std::unique_ptr<hardware::Link>(
-                              std::make_unique<SocketLink>(feed.fd(), clock, times));
-                      },
-                      {}))
-            .value();
-    dk2::Dk2ImuSource source = dk2::Dk2ImuSource::open(*transport, clock.now()).value();
+/// A headset that has something to say a thousand times a second.
+class Headset {
+  public:
+    virtual ~Headset() = default;
+    virtual Transport& transport() = 0;
+    virtual void start() {}
+    /// A sample that it can have sent.
+    virtual bool sent(const ImuSample& sample) const = 0;
 };
 
+class SocketHeadset final : public Headset {
+  public:
+    SocketHeadset(const Clock& clock, Feed feed)
+        : feed_(std::move(feed)),
+          transport_(std::move(hardware::LiveTransport::open(
+                                   clock,
+                                   [fd = feed_.fd()]() -> Result<std::unique_ptr<hardware::Link>> {
+                                       return std::unique_ptr<hardware::Link>(
+                                           std::make_unique<SocketLink>(fd));
+                                   },
+                                   {}))
+                         .value()) {}
+    Transport& transport() override { return *transport_; }
+    void start() override { feed_.start(); }
+    bool sent(const ImuSample& sample) const override {
+        return glm::distance(sample.accel_m_s2, kSent_m_s2) < 1e-6;
+    }
+
+  private:
+    Feed feed_;
+    std::unique_ptr<hardware::LiveTransport> transport_;
+};
+
+class DeskHeadset final : public Headset {
+  public:
+    DeskHeadset(Clock& clock, const Options& options)
+        : world_(make_world(on_devices({}, options), clock)) {}
+    Transport& transport() override { return world_->headset(); }
+    bool sent(const ImuSample& sample) const override {
+        constexpr double kFull_m_s2 = 10.0 * 9.81;  // no axis tells more
+        return glm::length(sample.accel_m_s2) < kFull_m_s2;
+    }
+
+  private:
+    std::unique_ptr<World> world_;
+};
+
+/// Null: there is no socket pair to be had. Throws DeviceError where no headset is on the desk.
+std::unique_ptr<Headset> open_headset(Clock& clock, const Options& options) {
+    if (options.devices == "hardware") return std::make_unique<DeskHeadset>(clock, options);
+    auto feed = Feed::begin();
+    return feed ? std::make_unique<SocketHeadset>(clock, std::move(*feed)) : nullptr;
+}
+
 /// Whoever asks waits for each sample.
-Durations_us waited_for(Feed& feed) {
-    Desk desk{feed};
-    feed.start();
+Durations_us waited_for(const Options& options) {
+    WallClock clock;
+    const auto headset = open_headset(clock, options);
+    if (!headset) return std::nullopt;
+    auto source = dk2::Dk2ImuSource::open(headset->transport(), clock.now()).value();
+    headset->start();
     std::vector<double> us;
-    for (int count = 0; count < kWarmUp + kReports && desk.clock.now() < HostTime(kLongest);) {
-        const auto next = desk.source.next(desk.clock.now() + Nanoseconds(20'000'000));
-        const HostTime now = desk.clock.now();
+    for (int count = 0; count < kWarmUp + kSamples && clock.now() < HostTime(kLongest);) {
+        const auto next = source.next(clock.now() + Nanoseconds(20'000'000));
+        const HostTime now = clock.now();
         const auto* const sample = std::get_if<ImuSample>(&next);
         if (sample == nullptr) continue;
-        if (!is_what_was_sent(*sample)) return std::nullopt;
-        if (++count <= kWarmUp) continue;
-        const auto index = static_cast<std::size_t>(count) % desk.times.size();
-        const HostTime read{Nanoseconds(desk.times[index].load())};
-        us.push_back(1e3 * to_ms(now - read));
+        if (!headset->sent(*sample)) return std::nullopt;
+        if (++count > kWarmUp) us.push_back(1e3 * to_ms(now - sample->arrival));
     }
-    if (desk.source.counts().lost > 0) return std::nullopt;
+    if (source.counts().lost > 0) return std::nullopt;
     return us;
 }
 
 /// Whoever asks comes by 75 times a second, as frames do, and takes what is there.
-Durations_us taken(Feed& feed) {
-    Desk desk{feed};
-    feed.start();
+Durations_us taken(const Options& options) {
+    WallClock clock;
+    const auto headset = open_headset(clock, options);
+    if (!headset) return std::nullopt;
+    auto source = dk2::Dk2ImuSource::open(headset->transport(), clock.now()).value();
+    headset->start();
     std::vector<double> us;
-    for (int count = 0; count < kWarmUp + kReports && desk.clock.now() < HostTime(kLongest);) {
+    for (int count = 0; count < kWarmUp + kSamples && clock.now() < HostTime(kLongest);) {
         std::this_thread::sleep_for(std::chrono::microseconds(13'333));
-        const HostTime frame = desk.clock.now();
+        const HostTime frame = clock.now();
         while (true) {
-            const HostTime asked = desk.clock.now();
-            const auto next = desk.source.next(frame);
-            const HostTime got = desk.clock.now();
+            const HostTime asked = clock.now();
+            const auto next = source.next(frame);
+            const HostTime got = clock.now();
             const auto* const sample = std::get_if<ImuSample>(&next);
             if (sample == nullptr) break;
-            if (!is_what_was_sent(*sample)) return std::nullopt;
+            if (!headset->sent(*sample)) return std::nullopt;
             if (++count > kWarmUp) us.push_back(1e3 * to_ms(got - asked));
         }
     }
-    if (desk.source.counts().lost > 0) return std::nullopt;
-    us.resize(std::min<std::size_t>(us.size(), kReports));
+    if (source.counts().lost > 0) return std::nullopt;
+    us.resize(std::min<std::size_t>(us.size(), kSamples));
     return us;
 }
 
-/// One thread reads and tells another, and nothing else.
-Durations_us told(Feed& feed) {
+/// One thread reads and tells another, and nothing else: always over a socket.
+Durations_us told(const Options&) {
+    auto begun = Feed::begin();
+    if (!begun) return std::nullopt;
+    Feed& feed = *begun;
     const WallClock clock;
     std::counting_semaphore<> news{0};
     std::atomic<std::int64_t> read_ns{0};
@@ -200,7 +236,7 @@ Durations_us told(Feed& feed) {
     });
     feed.start();
     std::vector<double> us;
-    for (int count = 0; count < kWarmUp + kReports && clock.now() < HostTime(kLongest); ++count) {
+    for (int count = 0; count < kWarmUp + kSamples && clock.now() < HostTime(kLongest); ++count) {
         if (!news.try_acquire_for(std::chrono::seconds(1))) return std::nullopt;
         const HostTime now = clock.now();
         if (count >= kWarmUp)
@@ -211,23 +247,21 @@ Durations_us told(Feed& feed) {
 
 struct Way {
     const char* name;
-    Durations_us (*measure)(Feed&);
+    Durations_us (*measure)(const Options&);
 };
 
 void run(benchmark::State& state, Bench& bench, const Way& c) {
     for (auto unused : state) {
-        auto feed = Feed::begin();
-        if (!feed) return state.SkipWithError("no socket pair");
-        auto measured = c.measure(*feed);
-        if (!measured || measured->size() != kReports)
-            return state.SkipWithError("reports were lost or changed on the way");
+        auto measured = c.measure(bench.options);
+        if (!measured || measured->size() != kSamples)
+            return state.SkipWithError("samples were lost or changed on the way");
         std::vector<double>& us = *measured;
         std::sort(us.begin(), us.end());
-        const auto at = [&](double p) { return us[static_cast<std::size_t>(p * (kReports - 1))]; };
+        const auto at = [&](double p) { return us[static_cast<std::size_t>(p * (kSamples - 1))]; };
         state.counters["p50_us"] = at(0.50);
         state.counters["p99_us"] = at(0.99);
         bench.results.add("transport", c.name,
-                          {{"reports", kReports},
+                          {{"samples", kSamples},
                            {"p50_us", at(0.50)},
                            {"p90_us", at(0.90)},
                            {"p99_us", at(0.99)},

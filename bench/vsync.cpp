@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/on_devices.h"
 #include "bench/statistics.h"
 #include "bench/suites.h"
 #include "rig/governor/governed_renderer.h"
@@ -142,12 +143,13 @@ void bm_vsync(benchmark::State& state, Bench& bench, const std::string& name, Sc
         size_for_this_machine(scenario, scene);
         governor::Ladder ladder = ladder_of(scenario, scene);
         const auto alone = open_renderer(scene, ladder.rungs.back().render);
-        const RunRecord unguarded = run(scenario, *scene, *alone, kFrames);
+        const Scenario measured = on_devices(scenario, bench.options);
+        const RunRecord unguarded = run(measured, *scene, *alone, kFrames);
         governor::GovernedRenderer governed(
             ladder, governor::limits_of(scenario),
             [&](const RenderSettings& settings) { return open_renderer(scene, settings); });
         const RunRecord held =
-            run(scenario, *scene, governed, kFrames,
+            run(measured, *scene, governed, kFrames,
                 [&](const FrameRecord& frame) { governed.frame_took(frame_time_ms(frame)); });
         for (const RunRecord* each : {&unguarded, &held}) {
             if (const auto why = wrong(*each, count_vsyncs(each->frames)); !why.empty()) {

@@ -6,6 +6,7 @@
 
 #include "devices/time.h"
 #include "rig/failure.h"
+#include "rig/identity/processor_use.h"
 #include "rig/open_scene.h"
 #include "rig/scenario/write.h"
 #include "rig/sweep/flight.h"
@@ -171,6 +172,7 @@ sweep::Times SweepRuns::times(std::size_t point, int repetition) {
     const auto renderer = open_renderer(stage.scene, scenario.render);
     const auto lens = open_lens(scenario);
     const WallClock stopwatch;
+    const auto before = processor_times();
     sweep::Times times;
     times.point = point;
     times.repetition = repetition;
@@ -186,6 +188,9 @@ sweep::Times SweepRuns::times(std::size_t point, int repetition) {
         for (const PassTime& pass : stats.passes)
             times.pass_ms[pass.name] += pass.ms / warm_frames(stage);
     }
+    const auto after = processor_times();
+    if (const auto use = before && after ? use_between(*before, *after) : std::nullopt)
+        times.elsewhere_ratio = use->elsewhere_ratio();
     return times;
 }
 

@@ -29,6 +29,8 @@ struct ProcessorUse {
     double own_ratio = 0.0;
     double others_ratio = 0.0;  ///< other programs of this machine
     double stolen_ratio = 0.0;
+
+    double elsewhere_ratio() const { return others_ratio + stolen_ratio; }
 };
 
 /// No value where none passed.

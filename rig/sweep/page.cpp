@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "rig/records/elsewhere.h"
 #include "rig/report/markup.h"
 #include "rig/report/provenance.h"
 #include "rig/report/style.h"
@@ -94,6 +95,17 @@ std::string what_was_simulated(const json& pareto) {
     return report::provenance(run);
 }
 
+/// What the times' intervals cannot be blamed on the settings for.
+std::string not_alone(const json& pareto) {
+    const json elsewhere = pareto.value("elsewhere_ratio", json());
+    if (!elsewhere.is_object() || elsewhere.at("max").get<double>() < kElsewhereMatters_ratio)
+        return "";
+    return fmt::format(
+        "While a run was timed, others had up to {:.0f} % of the machine's processor time (p50 of "
+        "the runs {:.0f} %): trust intervals and ratios more than milliseconds.",
+        100.0 * elsewhere.at("max").get<double>(), 100.0 * elsewhere.at("p50").get<double>());
+}
+
 std::string head(const json& pareto) {
     const json& sweep = pareto.at("sweep");
     const json& display = sweep.at("scenario").at("display");
@@ -112,7 +124,7 @@ std::string head(const json& pareto) {
             : sweep.at("repetitions").dump() + " runs a point, interleaved",
         pareto.at("points").size(), escaped(value_text(pareto.at("build").at("version"))),
         escaped(value_text(pareto.at("build").at("git"))), hosts,
-        escaped(what_was_simulated(pareto)));
+        escaped(what_was_simulated(pareto) + not_alone(pareto)));
 }
 
 std::string listing(const char* title, const json& value) {

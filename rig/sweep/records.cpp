@@ -26,7 +26,8 @@ nlohmann::json to_json(const Times& t) {
             {"point", t.point},
             {"repetition", t.repetition},
             {"frame_ms", t.frame_ms},
-            {"pass_ms", t.pass_ms}};
+            {"pass_ms", t.pass_ms},
+            {"elsewhere_ratio", t.elsewhere_ratio ? nlohmann::json(*t.elsewhere_ratio) : nullptr}};
 }
 
 Accuracy accuracy_from(const nlohmann::json& json) {
@@ -47,6 +48,9 @@ Times times_from(const nlohmann::json& json) {
     json.at("repetition").get_to(t.repetition);
     json.at("frame_ms").get_to(t.frame_ms);
     json.at("pass_ms").get_to(t.pass_ms);
+    // A journal from before it was kept does not have it.
+    const auto elsewhere = json.find("elsewhere_ratio");
+    if (elsewhere != json.end() && !elsewhere->is_null()) t.elsewhere_ratio = *elsewhere;
     return t;
 }
 

@@ -29,6 +29,8 @@ struct Times {
     int repetition = 0;
     std::vector<double> frame_ms;           ///< renderer and lens distortion, wall time
     std::map<std::string, double> pass_ms;  ///< by name, means beyond the warm-up
+    /// Share of the machine's processor time that others had meanwhile; none: not known.
+    std::optional<double> elsewhere_ratio{};
 };
 
 nlohmann::json to_json(const Accuracy& accuracy);

@@ -1,6 +1,9 @@
 #include "rig/sweep/result.h"
 
+#include <algorithm>
+
 #include "rig/scenario/cost.h"
+#include "rig/stats/centre.h"
 #include "rig/sweep/front.h"
 #include "rig/sweep/paper_result.h"
 #include "rig/sweep/point_result.h"
@@ -127,6 +130,16 @@ Json within_json(const std::vector<Place>& places, const std::vector<std::size_t
     return json;
 }
 
+/// Of all timed runs: the median and the largest share that others had of the machine.
+Json elsewhere_json(const Measured& measured) {
+    std::vector<double> ratios;
+    for (const auto& [point, runs] : measured.times)
+        for (const Times& run : runs)
+            if (run.elsewhere_ratio) ratios.push_back(*run.elsewhere_ratio);
+    if (ratios.empty()) return nullptr;
+    return {{"p50", stats::median_of(ratios)}, {"max", std::ranges::max(ratios)}};
+}
+
 /// A front of each case: settings of two scenes are no choice between each other.
 Json cases_json(const nlohmann::json& definition, const std::vector<Place>& places, Json& points) {
     Json cases = Json::array();
@@ -176,6 +189,7 @@ Json pareto_json(const Measured& measured) {
                    {"build", measured.build},
                    {"hosts", std::move(hosts)},
                    {"modelled", definition.at("fixed_cost")},
+                   {"elsewhere_ratio", elsewhere_json(measured)},
                    {"error", axis},
                    {"budget_ms", budget_ms(definition, nlohmann::json::object())},
                    {"points", std::move(points)},

@@ -62,6 +62,25 @@ TEST_F(JournalTest, GivesBackWhatItWasGiven) {
     EXPECT_EQ(content.whole_bytes, fs::file_size(file_));
 }
 
+TEST_F(JournalTest, GivesBackTimedRunsAndThoseOfOlderPrograms) {
+    Times times{.point = 3, .repetition = 1, .frame_ms = {1.0 / 3.0}, .pass_ms = {{"trace", 0.2}}};
+    times.elsewhere_ratio = 0.25;
+    auto older = to_json(times);
+    older["repetition"] = 2;
+    older.erase("elsewhere_ratio");
+    {
+        Journal journal(file_);
+        journal.append({{"schema", "foverig.sweep/1"}});
+        journal.append(to_json(times));
+        journal.append(older);
+    }
+    const JournalContent content = read_journal(file_);
+    ASSERT_EQ(content.times.size(), 2U);
+    EXPECT_EQ(content.times[0].frame_ms, times.frame_ms);
+    EXPECT_EQ(content.times[0].elsewhere_ratio, 0.25);
+    EXPECT_EQ(content.times[1].elsewhere_ratio, std::nullopt);
+}
+
 TEST_F(JournalTest, CutsOffWhatAKillTore) {
     write_two();
     const auto whole = fs::file_size(file_);
