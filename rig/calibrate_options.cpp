@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "devices/gaze/requests.h"
+#include "rig/number_in.h"
 
 namespace foverig {
 
@@ -18,7 +19,7 @@ void CalibrateOptions::add_to(CLI::App& app) {
     calibrate
         .add_option("--reach", reach_deg_, "how far out the outermost targets lie on each axis")
         ->type_name("DEG")
-        ->check(CLI::Range(1.0, 30.0))
+        ->check(number_in(1.0, 30.0))
         ->capture_default_str();
     calibrate.add_flag("--validate", validate_,
                        "nine more targets after it, to tell accuracy and precision");

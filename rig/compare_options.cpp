@@ -1,5 +1,7 @@
 #include "rig/compare_options.h"
 
+#include "rig/number_in.h"
+
 namespace foverig {
 
 void CompareOptions::add_to(CLI::App& app) {
@@ -13,7 +15,7 @@ void CompareOptions::add_to(CLI::App& app) {
         ->required();
     compare.add_option("--against", against_, "the new runs")->type_name("NEW...");
     compare.add_option("--threshold", threshold_percent_, "what matters, in percent of the base")
-        ->check(CLI::Range(0.0, 1000.0))
+        ->check(number_in(0.0, 1000.0))
         ->capture_default_str();
     compare.add_option("--of", of_, "column of frames.csv to compare, of which less is better")
         ->type_name("COLUMN")

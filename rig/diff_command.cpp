@@ -77,6 +77,14 @@ std::string text_of(const Json& metric) {
     return text;
 }
 
+void write_heatmap(const fs::path& file, const metrics::Plane& map) {
+    try {
+        write_png(file, metrics::heatmap(map));
+    } catch (const std::runtime_error& error) {
+        throw UsageError(fmt::format("--out {}", error.what()));
+    }
+}
+
 }  // namespace
 
 ExitCode diff_command(const DiffRequest& request) {
@@ -87,6 +95,11 @@ ExitCode diff_command(const DiffRequest& request) {
     if (request.heatmap && !chosen.empty() &&
         std::find(chosen.begin(), chosen.end(), "flip") == chosen.end())
         throw UsageError("--out draws the map of FLIP; add flip to --metrics");
+    for (const std::string& metric : chosen)
+        if (pairs.size() == 1 && (metric == "change" || metric == "flicker"))
+            throw UsageError(fmt::format(
+                "--metrics {}: is of sequences; name two folders of frames instead of two images",
+                metric));
     DiffMetrics diff(request.settings, pairs.size() > 1);
     std::uint64_t not_finite_a = 0;
     std::uint64_t not_finite_b = 0;
@@ -101,7 +114,7 @@ ExitCode diff_command(const DiffRequest& request) {
         diff.add(a, b);
     }
     const Json result = diff.result();
-    if (request.heatmap) write_png(*request.heatmap, metrics::heatmap(diff.flip_map()));
+    if (request.heatmap) write_heatmap(*request.heatmap, diff.flip_map());
     if (!request.json) {
         for (const auto& [name, metric] : result.items())
             fmt::print("{:<8} {}\n", name, text_of(metric));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "metrics/flip.h"
+#include "rig/number_in.h"
 
 namespace foverig {
 
@@ -15,7 +16,7 @@ void DiffOptions::add_to(CLI::App& app) {
     diff.add_option("test", test_, "what to compare with it")->type_name("B")->required();
     diff.add_option("--ppd", pixels_per_degree_,
                     "pixels per degree in the middle of the view; a DK2 has 9.6")
-        ->check(CLI::Range(1.0, 1000.0))
+        ->check(number_in(1.0, 1000.0))
         ->capture_default_str();
     diff.add_option("--metrics", metrics_, "only these, with commas between; none: all that apply")
         ->delimiter(',')
@@ -26,18 +27,19 @@ void DiffOptions::add_to(CLI::App& app) {
                     "the middle")
         ->delimiter(',')
         ->expected(2)
+        ->check(number_in(-1e6, 1e6))
         ->type_name("X,Y");
     diff.add_option("--fovea-deg", fovea_deg_, "what `gaze` takes for the fovea")
-        ->check(CLI::Range(0.0, 180.0))
+        ->check(number_in(0.0, 180.0))
         ->capture_default_str();
     diff.add_option("--fps", frames_per_s_, "frames a second of a sequence")
-        ->check(CLI::Range(8.0, 10000.0))
+        ->check(number_in(8.0, 10000.0))
         ->capture_default_str();
     diff.add_option("--peak-cd-m2", light_.peak_cd_m2, "light of the screen's white, for fvvdp")
-        ->check(CLI::Range(0.1, 10000.0))
+        ->check(number_in(0.1, 10000.0))
         ->capture_default_str();
     diff.add_option("--black-cd-m2", light_.black_cd_m2, "light of its black, room light included")
-        ->check(CLI::Range(1.0e-4, 1000.0))
+        ->check(number_in(1.0e-4, 1000.0))
         ->capture_default_str();
     diff.add_option("--tone-mapper", tone_mapper_, "of FLIP between two EXR, HDR or PFM")
         ->check(CLI::IsMember({"aces", "hable", "reinhard"}))

@@ -13,6 +13,7 @@
 #include "rig/diff_options.h"
 #include "rig/expose_options.h"
 #include "rig/identity/build_info.h"
+#include "rig/number_in.h"
 #include "rig/report_options.h"
 #include "rig/scenario/write.h"
 #include "rig/scenario_options.h"
@@ -99,7 +100,7 @@ void add_replay(CLI::App& app, ReplayOptions& options, RunOptions& run) {
     replay
         .add_option("--speed", options.speed,
                     "on the wall clock at so many times the recorded speed; 0: as fast as possible")
-        ->check(CLI::Range(0.0, 1000.0));
+        ->check(number_in(0.0, 1000.0));
     replay.add_flag("--loop", options.loop, "begin again at the end");
     run.scenario.add_settings_to(replay);
     add_run_options(replay, run);

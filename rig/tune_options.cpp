@@ -1,5 +1,7 @@
 #include "rig/tune_options.h"
 
+#include "rig/number_in.h"
+
 namespace foverig {
 
 void TuneOptions::add_to(CLI::App& app) {
@@ -9,7 +11,7 @@ void TuneOptions::add_to(CLI::App& app) {
         ->type_name("SWEEP.toml")
         ->required();
     tune.add_option("--budget-ms", budget_ms_, "of a frame; none: a VSync")
-        ->check(CLI::Range(0.001, 10'000.0));
+        ->check(number_in(0.001, 10'000.0));
     tune.add_option("--out", out_, "folder; one that was begun goes on; none: runs/NAME-tuned")
         ->type_name("DIR");
     tune.add_flag("--json", json_, "tuned.json on the last line");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "rig/failure.h"
@@ -69,7 +70,9 @@ FailIf parse_fail_if(const std::string& text) {
         const bool is_key = !check.key.empty() && check.key.find(' ') == std::string::npos;
         const bool is_comparison = std::find(kComparisons.begin(), kComparisons.end(),
                                              check.comparison) != kComparisons.end();
-        if (is_key && is_comparison && error == std::errc{} && stop == end) return check;
+        if (is_key && is_comparison && error == std::errc{} && stop == end &&
+            std::isfinite(check.bound))
+            return check;
     }
     throw UsageError(fmt::format(
         "--fail-if '{}': expected KEY COMPARISON NUMBER, as in 'vsync.missed_ratio > 0.01'", text));

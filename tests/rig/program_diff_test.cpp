@@ -85,6 +85,23 @@ TEST_F(ProgramDiff, DrawsTheMap) {
     EXPECT_EQ(read.image.width_px, 40);
     EXPECT_GT(read.image.at(20, 15).x, 0.9F);
     EXPECT_EQ(foverig({"diff", a, b, "--metrics", "mae", "--out", map.string()}).code, 2);
+    const Outcome nowhere = foverig({"diff", a, b, "--out", (root_ / "none/map.png").string()});
+    EXPECT_EQ(nowhere.code, 2);
+    EXPECT_THAT(nowhere.err, HasSubstr("--out "));
+}
+
+TEST_F(ProgramDiff, RefusesWhatIsNoNumberAndWhatASinglePairHasNot) {
+    const std::string a = png("a.png", 0.0F), b = png("b.png", 1.0F);
+    for (const char* option :
+         {"--ppd", "--fps", "--fovea-deg", "--peak-cd-m2", "--black-cd-m2", "--gaze"}) {
+        const std::string value = option == std::string("--gaze") ? "nan,3" : "nan";
+        EXPECT_EQ(foverig({"diff", a, b, option, value}).code, 2) << option;
+    }
+    for (const char* metric : {"change", "flip,flicker"}) {
+        const Outcome outcome = foverig({"diff", a, b, "--metrics", metric});
+        EXPECT_EQ(outcome.code, 2) << metric;
+        EXPECT_THAT(outcome.err, HasSubstr("is of sequences"));
+    }
 }
 
 TEST_F(ProgramDiff, ExitsWithThreeOnImagesThatCannotBeCompared) {

@@ -64,8 +64,9 @@ TEST(FailIf, NamesTheNearestKey) {
 }
 
 TEST(FailIf, RefusesWhatItCannotRead) {
-    for (const char* text : {"", "vsync.missed", "vsync.missed > ", "> 3", "vsync.missed > many",
-                             "vsync.missed = 3", "vsync.missed > 3 ms", "a b > 3"}) {
+    for (const char* text :
+         {"", "vsync.missed", "vsync.missed > ", "> 3", "vsync.missed > many", "vsync.missed = 3",
+          "vsync.missed > 3 ms", "a b > 3", "vsync.missed > nan", "vsync.missed < inf"}) {
         EXPECT_THROW(parse_fail_if(text), UsageError) << text;
     }
 }
