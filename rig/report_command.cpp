@@ -26,6 +26,15 @@ void report_run(const report::RunData& run, const std::vector<std::string>& expo
     }
 }
 
+void write_together(const fs::path& file, const std::vector<report::RunData>& runs) {
+    const std::string text = exports::benchmark_json(runs).dump(2) + "\n";
+    try {
+        replace_text(file, text);
+    } catch (const std::runtime_error& error) {
+        throw UsageError(fmt::format("--together {}", error.what()));
+    }
+}
+
 }  // namespace
 
 ExitCode report_command(const ReportRequest& request) {
@@ -42,7 +51,7 @@ ExitCode report_command(const ReportRequest& request) {
         }
     }
     if (request.together) {
-        replace_text(*request.together, exports::benchmark_json(runs).dump(2) + "\n");
+        write_together(*request.together, runs);
         say("export", *request.together);
     }
     return ExitCode::good;

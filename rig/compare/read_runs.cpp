@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "rig/failure.h"
 
@@ -42,6 +43,17 @@ void check_says_something(const report::RunData& run) {
         throw InputError(fmt::format("{}: is not valid, kernels met NaN", name));
 }
 
+/// The unit is the run: one that is named twice is one trial, not two.
+void check_named_once(const std::vector<report::RunData>& runs) {
+    std::set<fs::path> met;
+    for (const report::RunData& run : runs)
+        if (!met.insert(fs::weakly_canonical(run.folder)).second)
+            throw UsageError(
+                fmt::format("{}: is named twice; expected runs that were made anew, "
+                            "as the same one is no other trial",
+                            run.folder.string()));
+}
+
 }  // namespace
 
 std::vector<report::RunData> read_runs(const std::vector<fs::path>& places) {
@@ -51,6 +63,7 @@ std::vector<report::RunData> read_runs(const std::vector<fs::path>& places) {
             runs.push_back(report::read_run(folder));
             check_says_something(runs.back());
         }
+    check_named_once(runs);
     return runs;
 }
 

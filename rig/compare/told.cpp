@@ -28,6 +28,13 @@ std::string with_interval(const stats::Shift& shift, double scale, const char* u
                        shift.ci95->low * scale, shift.ci95->high * scale);
 }
 
+/// Columns carry theirs in their names.
+const char* unit_of(const std::string& column) {
+    if (column.ends_with("_ms")) return " ms";
+    if (column.ends_with("_deg")) return " deg";
+    return column.ends_with("_ns") ? " ns" : "";
+}
+
 std::string reason(const TimeComparison& c, double threshold) {
     const double percent = 100.0 * threshold;
     switch (c.judgement.verdict) {
@@ -97,8 +104,8 @@ std::string told(const TimeComparison& c, const TimeSettings& settings,
             "machine  up to {:.0f} % of its processor time went elsewhere during a run{}\n",
             100.0 * *c.elsewhere_ratio,
             settings.of == kProcessorTime ? "" : "; --of cpu_ms leaves that out");
-    text += fmt::format("shift    {}, {}, 95 %\n", with_interval(c.shift, 1.0, ""),
-                        with_interval(c.relative, 100.0, " %"));
+    text += fmt::format("shift    {}, {}{}\n", with_interval(c.shift, 1.0, unit_of(settings.of)),
+                        with_interval(c.relative, 100.0, " %"), c.shift.ci95 ? ", 95 %" : "");
     for (std::size_t i = 0; i < std::min(passes.size(), kMostPasses); ++i)
         text += fmt::format("  pass   {:<24} {}\n", passes[i].pass,
                             with_interval(passes[i].shift_ms, 1.0, " ms"));

@@ -40,6 +40,17 @@ fs::path beside(const fs::path& place, const char* suffix) {
     return other;
 }
 
+/// `called`: what an error names.
+void write_as(const fs::path& file, std::string_view text, const fs::path& called) {
+    errno = 0;
+    std::ofstream stream(file, std::ios::binary);
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    stream.close();
+    if (!stream)
+        throw std::runtime_error(fmt::format("{}: cannot be written: {}", called.string(),
+                                             std::generic_category().message(errno)));
+}
+
 }  // namespace
 
 RunFolder::RunFolder(const std::optional<fs::path>& out)
@@ -84,19 +95,19 @@ void RunFolder::publish() {
 }
 
 void write_text(const fs::path& file, std::string_view text) {
-    errno = 0;
-    std::ofstream stream(file, std::ios::binary);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    if (!stream)
-        throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(),
-                                             std::generic_category().message(errno)));
+    write_as(file, text, file);
 }
 
 void replace_text(const fs::path& file, std::string_view text) {
     const fs::path draft = beside(file, "draft");
-    write_text(draft, text);
-    fs::rename(draft, file);
+    write_as(draft, text, file);
+    std::error_code error;
+    fs::rename(draft, file, error);
+    if (!error) return;
+    std::error_code ignored;  // the rename's error is the one to tell
+    fs::remove(draft, ignored);
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written: {}", file.string(), error.message()));
 }
 
 }  // namespace foverig

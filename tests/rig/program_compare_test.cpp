@@ -51,6 +51,7 @@ TEST_F(ProgramCompare, ExitsWithOneForWorseAndSaysByHowMuch) {
     EXPECT_EQ(worse.code, 1) << worse.err;
     EXPECT_THAT(worse.out, HasSubstr("worse: all of the interval is beyond +3 %"));
     EXPECT_THAT(worse.out, HasSubstr("warm-up  the first"));
+    EXPECT_THAT(worse.out, testing::ContainsRegex("shift    [^\n]* ms \\[[^\n]*, 95 %"));
     EXPECT_THAT(worse.out, HasSubstr("pass   trace"));
     const Json json = Json::parse(worse.out.substr(worse.out.find("\n{") + 1));
     EXPECT_EQ(json["verdict"], "worse");
@@ -73,6 +74,7 @@ TEST_F(ProgramCompare, ExitsWithZeroForAllElse) {
     const Outcome two = foverig({"compare", place("base/10"), place("new/10")});
     EXPECT_EQ(two.code, 0);
     EXPECT_THAT(two.out, HasSubstr("cannot tell: too few runs; at least 4 a side"));
+    EXPECT_THAT(two.out, testing::Not(HasSubstr("95 %"))) << "there is no interval";
 }
 
 TEST_F(ProgramCompare, TakesRunsOfEachSideByName) {
@@ -96,6 +98,11 @@ TEST_F(ProgramCompare, RefusesWhatItIsNotGiven) {
     EXPECT_EQ(empty.code, 3);
     EXPECT_THAT(empty.err, testing::MatchesRegex("foverig: [^\n]*is no run folder[^\n]+\n"));
     EXPECT_EQ(foverig({"compare", place("base"), place("new"), "--of", "beauty"}).code, 2);
+    EXPECT_EQ(foverig({"compare", place("base"), place("new"), "--threshold", "nan"}).code, 2);
+    const Outcome twice =
+        foverig({"compare", place("base"), place("base/10"), "--against", place("new")});
+    EXPECT_EQ(twice.code, 2) << "the same run is no other trial";
+    EXPECT_THAT(twice.err, HasSubstr("base/10: is named twice"));
     std::ofstream(root_ / "new/10/summary.json") << "{\"schema\": \"foverig.summary/1\", ";
     EXPECT_EQ(foverig({"compare", place("base"), place("new")}).code, 3);
 }

@@ -203,6 +203,10 @@ TEST_F(RunRecords, MakesTheReportAgainFromTheRecords) {
     EXPECT_EQ(foverig({"report", (root_ / "run").string()}).code, 0);
     EXPECT_TRUE(text_of(root_ / "run/report.html") == first);
     EXPECT_EQ(foverig({"report", root_.string()}).code, 3);
+    const auto nowhere = (root_ / "none/all.json").string();
+    const Outcome together = foverig({"report", (root_ / "run").string(), "--together", nowhere});
+    EXPECT_EQ(together.code, 2);
+    EXPECT_THAT(together.err, HasSubstr("--together " + nowhere + ": cannot be written"));
 }
 
 }  // namespace
