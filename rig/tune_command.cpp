@@ -13,6 +13,7 @@
 #include "rig/sweep/header.h"
 #include "rig/sweep/point_result.h"
 #include "rig/sweep/read.h"
+#include "rig/sweep/time_left.h"
 #include "rig/sweep_folder.h"
 #include "rig/sweep_runs.h"
 
@@ -82,7 +83,7 @@ Json tuned_json(const sweep::Sweep& sweep, const sweep::GridWalk& grid,
             {"error", sweep.error},
             {"budget_ms", budget_ms},
             {"modelled", sweep.fixed_cost()},
-            {"grid_points", sweep.points.size()},
+            {"grid_points", grid.count()},
             {"best", step_json(sweep, grid, found.steps[found.best], budget_ms)},
             {"steps", std::move(all)}};
 }
@@ -90,8 +91,9 @@ Json tuned_json(const sweep::Sweep& sweep, const sweep::GridWalk& grid,
 std::string tuned_toml(const sweep::Point& best, const Json& tuned) {
     const Json& found = tuned.at("best");
     return fmt::format(
-               "# Found by `foverig tune`: {} ms of {} ms, {} {:.4g}; of {} settings it tried {}.\n"
-               "# {}\n",
+               "# Found by `foverig tune`{}: {} ms of {} ms, {} {:.4g}; of {} settings it tried "
+               "{}.\n# {}\n",
+               found.at("within_budget").get<bool>() ? "" : ", as nothing that it tried fits",
                fmt::format("{:.4g}", found.at("time_ms").get<double>()),
                fmt::format("{:.4g}", tuned.at("budget_ms").get<double>()),
                tuned.at("error").get<std::string>(), found.at("error").get<double>(),
@@ -119,18 +121,19 @@ ExitCode tune_command(const TuneRequest& request) {
     begin_or_go_on(journal, folder / "tune.jsonl",
                    sweep::header_json(sweep, build_info(), host_info(), program));
     const Interrupt interrupt;
+    sweep::TimeLeft progress({});
     SweepRuns runs(sweep, folder, program,
                    {.stop_requested = [&] { return interrupt.requested(); },
-                    .note = [](const std::string& what) { fmt::print(stderr, "{}\n", what); }});
+                    .note = [&](const std::string& what) { progress.note(what); }});
     Measurer measurer(sweep, journal, runs);
     sweep::SearchResult found;
     try {
         found = sweep::search(grid.sizes(), grid.start(), budget_ms, [&](const auto& place) {
             const std::size_t point = grid.point_at(place);
             const sweep::Place there = measurer.place_of(point, budget_ms);
-            fmt::print(stderr, "{}: {:.4g} ms, {} {:.4g}\n",
-                       sweep::text_of(sweep.points[point].settings), there.ms, sweep.error,
-                       there.error);
+            progress.tell(fmt::format("{}: {:.4g} ms, {} {:.4g}",
+                                      sweep::text_of(sweep.points[point].settings), there.ms,
+                                      sweep.error, there.error));
             return there;
         });
     } catch (const SweepRuns::Stopped&) {
@@ -144,7 +147,7 @@ ExitCode tune_command(const TuneRequest& request) {
     const bool fits = tuned.at("best").at("within_budget").get<bool>();
     fmt::print("{}: {} ({} of {} settings tried)\n",
                fits ? "best within the budget" : "nothing fits the budget; the cheapest",
-               sweep::text_of(best.settings), found.steps.size(), sweep.points.size());
+               sweep::text_of(best.settings), found.steps.size(), grid.count());
     fmt::print("scenario: {}\n", fs::absolute(folder / "tuned.toml").lexically_normal().string());
     if (request.json) fmt::print("{}\n", tuned.dump());
     return fits ? ExitCode::good : ExitCode::check_failed;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "rig/failure.h"
 
@@ -43,7 +45,6 @@ bool is_in_order(const Knob& knob) {
 }  // namespace
 
 GridWalk::GridWalk(const Sweep& sweep) : sweep_(sweep) {
-    std::size_t count = 1;
     for (const Knob& knob : sweep.knobs) {
         if (!is_in_order(knob))
             throw UsageError(fmt::format(
@@ -51,19 +52,18 @@ GridWalk::GridWalk(const Sweep& sweep) : sweep_(sweep) {
                 "the search goes from one to the next",
                 sweep.name, knob.key->name));
         sizes_.push_back(knob.values.size());
-        count *= knob.values.size();
     }
     const std::size_t points = sweep.points.size() - sweep.price_points.size();
-    first_ = points - std::min(points, count);
-    if (count == 0 || points > count + 1 || !holds_all(count))
+    first_ = points - std::min(points, count());
+    if (count() == 0 || points > count() + 1 || !holds_all())
         throw UsageError(fmt::format(
             "{}: a search needs design.kind = \"grid\" and knobs that are lists of values",
             sweep.name));
 }
 
 /// A Latin hypercube of lists may have as many points as the grid.
-bool GridWalk::holds_all(std::size_t count) const {
-    for (std::size_t index = 0; index < count; ++index) {
+bool GridWalk::holds_all() const {
+    for (std::size_t index = 0; index < count(); ++index) {
         if (first_ + index >= sweep_.points.size()) return false;
         std::size_t left = index;
         for (std::size_t knob = sizes_.size(); knob-- > 0; left /= sizes_[knob]) {
@@ -72,6 +72,10 @@ bool GridWalk::holds_all(std::size_t count) const {
         }
     }
     return true;
+}
+
+std::size_t GridWalk::count() const {
+    return std::accumulate(sizes_.begin(), sizes_.end(), std::size_t{1}, std::multiplies<>());
 }
 
 GridPlace GridWalk::start() const {

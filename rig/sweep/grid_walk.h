@@ -12,13 +12,15 @@ class GridWalk {
     explicit GridWalk(const Sweep& sweep);
 
     const std::vector<std::size_t>& sizes() const { return sizes_; }
+    /// Of places.
+    std::size_t count() const;
     /// The base, or where it is not on the grid the nearest values to its own.
     GridPlace start() const;
     /// Of the sweep's points.
     std::size_t point_at(const GridPlace& place) const;
 
   private:
-    bool holds_all(std::size_t count) const;
+    bool holds_all() const;
 
     const Sweep& sweep_;
     std::vector<std::size_t> sizes_;

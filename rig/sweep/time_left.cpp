@@ -33,6 +33,10 @@ void TimeLeft::note(const std::string& what) {
     began_ = clock_.now();  // not on the run's time
 }
 
+void TimeLeft::tell(const std::string& line) {
+    fmt::print(stderr, "{}{}\n", on_terminal_ ? "\r\x1b[2K" : "", line);
+}
+
 void TimeLeft::begin(const Job& job) {
     began_ = clock_.now();
     const std::size_t done = kinds_[0].done + kinds_[1].done;

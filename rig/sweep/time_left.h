@@ -11,6 +11,7 @@ namespace foverig::sweep {
 
 class TimeLeft {
   public:
+    /// No jobs: how many there are nobody knows before.
     explicit TimeLeft(const std::vector<Job>& jobs);
     ~TimeLeft();
     TimeLeft(const TimeLeft&) = delete;
@@ -18,6 +19,8 @@ class TimeLeft {
 
     /// Something long that is no run.
     void note(const std::string& what);
+    /// A line that stays.
+    void tell(const std::string& line);
     void begin(const Job& job);
     void done(const Job& job);
 

@@ -73,6 +73,8 @@ TEST_F(ProgramTune, SaysWhenNothingFitsAndServesAnotherBudgetFromWhatItHas) {
     EXPECT_EQ(tight.code, 1);
     EXPECT_THAT(tight.out, HasSubstr("nothing fits the budget"));
     EXPECT_EQ(tuned("a")["best"]["within_budget"], false);
+    EXPECT_THAT(text_of(root_ / "a/tuned.toml"), HasSubstr("as nothing that it tried fits: 9 ms"));
+    EXPECT_EQ(tune("a", {"--budget-ms", "nan"}).code, 2);
     const Outcome wide = tune("a", {"--budget-ms", "9.1"});
     EXPECT_EQ(wide.code, 0) << wide.err;
     EXPECT_EQ(tuned("a")["best"]["within_budget"], true);
