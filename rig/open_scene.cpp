@@ -33,26 +33,40 @@ void apply_lights(const LightSettings& settings, Scene& scene) {
     }
 }
 
-Scene load(const Scenario& scenario) {
+std::vector<std::string> builtin_names() {
     std::vector<std::string> names;
     for (const BuiltinInfo& scene : builtin_scenes()) names.push_back(scene.name);
-    if (std::find(names.begin(), names.end(), scenario.scene) != names.end()) {
+    return names;
+}
+
+bool is_builtin(const std::string& scene) {
+    const auto names = builtin_names();
+    return std::find(names.begin(), names.end(), scene) != names.end();
+}
+
+Scene load(const Scenario& scenario) {
+    if (is_builtin(scenario.scene))
         return make_builtin_scene(scenario.scene, scenario.scene_detail);
-    }
-    const std::filesystem::path file = scenario.scene;
-    std::error_code error;
-    if (!file.has_extension() && !std::filesystem::exists(file, error)) {
-        throw UsageError(fmt::format(
-            "scene {}: neither a built-in scene nor a file; the nearest built-in one is {} "
-            "(foverig scenes lists them)",
-            scenario.scene, nearest(scenario.scene, names)));
-    }
+    require_scene(scenario);
     ImportSettings settings;
     settings.metres_per_unit = scenario.scene_scale;
-    return import_scene(file, settings);
+    return import_scene(scenario.scene, settings);
 }
 
 }  // namespace
+
+void require_scene(const Scenario& scenario) {
+    const std::filesystem::path file = scenario.scene;
+    std::error_code error;
+    if (is_builtin(scenario.scene) || std::filesystem::exists(file, error)) return;
+    if (file.has_extension())
+        throw InputError(fmt::format(
+            "{}: there is no such file; name an .obj, .gltf, .glb or .ply file", scenario.scene));
+    throw UsageError(
+        fmt::format("scene {}: neither a built-in scene nor a file; the nearest built-in one is {} "
+                    "(foverig scenes lists them)",
+                    scenario.scene, nearest(scenario.scene, builtin_names())));
+}
 
 std::shared_ptr<const Scene> open_scene(const Scenario& scenario, bool sees_through) {
     Scene scene = load(scenario);

@@ -12,6 +12,10 @@ namespace foverig {
 /// `sees_through`: rays that meet nothing bring kNothingMet, so that a display knows them.
 std::shared_ptr<const Scene> open_scene(const Scenario& scenario, bool sees_through = false);
 
+/// Throws, without loading anything, where open_scene would as there is no such scene: UsageError
+/// for a name, InputError for a file.
+void require_scene(const Scenario& scenario);
+
 /// make_renderer, with what it refuses as UsageError.
 std::unique_ptr<Renderer> open_renderer(std::shared_ptr<const Scene> scene,
                                         const RenderSettings& settings);

@@ -62,6 +62,7 @@ ExitCode tell(const fs::path& folder, bool json) {
 ExitCode sweep_command(const SweepRequest& request) {
     sweep::Sweep sweep = sweep::read_sweep(request.file);
     require_devices(sweep.base);
+    for (const sweep::Point& point : sweep.points) require_scene(point.scenario);
     if (sweep.prices)
         sweep::add_price_points(sweep, EffectPlan(*open_scene(sweep.base), sweep.base.render));
     const fs::path folder = request.out.value_or(fs::path("runs") / sweep.name);

@@ -5,6 +5,7 @@
 #include "rig/commands.h"
 #include "rig/failure.h"
 #include "rig/interrupt.h"
+#include "rig/open_scene.h"
 #include "rig/output/run_folder.h"
 #include "rig/require_devices.h"
 #include "rig/scenario/cost.h"
@@ -112,6 +113,7 @@ ExitCode tune_command(const TuneRequest& request) {
                         "alone takes cases",
                         request.file.string()));
     require_devices(sweep.base);
+    for (const sweep::Point& point : sweep.points) require_scene(point.scenario);
     const sweep::GridWalk grid(sweep);
     const double budget_ms = request.budget_ms.value_or(1000.0 / sweep.base.display.rate_hz);
     const fs::path folder = request.out.value_or(fs::path("runs") / (sweep.name + "-tuned"));

@@ -192,6 +192,24 @@ TEST_F(ProgramSweep, RefusesToGoOnWithSomethingElse) {
     EXPECT_EQ(foverig({"report", place("a")}).code, 3);
 }
 
+// And not after hours, when the first point that has it comes.
+TEST_F(ProgramSweep, RefusesASceneThatIsNotThereBeforeItMeasuresAnything) {
+    for (const auto& [scene, code] : {std::pair("nowhere.glb", 3), std::pair("cornel", 2)}) {
+        std::string text = text_of(kSmoke);
+        const std::string knobs = "[knobs]\n";
+        text.insert(text.find(knobs) + knobs.size(),
+                    "scene = [\"cornell\", \"" + std::string(scene) + "\"]\n");
+        std::ofstream(root_ / "scenes.toml") << text;
+        for (const char* command : {"sweep", "tune"}) {
+            const Outcome outcome =
+                foverig({command, place("scenes.toml"), "--out", place("none")});
+            EXPECT_EQ(outcome.code, code) << command;
+            EXPECT_THAT(outcome.err, HasSubstr(scene));
+            EXPECT_FALSE(fs::exists(root_ / "none")) << command;
+        }
+    }
+}
+
 TEST_F(ProgramSweep, SaysWhatIsDamaged) {
     ASSERT_EQ(smoke("a").code, 0);
     std::string lines = text_of(root_ / "a/runs.jsonl");
