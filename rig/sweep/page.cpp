@@ -34,7 +34,8 @@ polyline.s3 { stroke: var(--s3); } polyline.s4 { stroke: var(--s4); }
 polyline.s5 { stroke: var(--s5); } polyline.s6 { stroke: var(--s6); }
 polyline.s7 { stroke: var(--s7); } polyline.s8 { stroke: var(--s8); }
 polyline.s9 { stroke: var(--s9); }
-tr.chosen td { font-weight: 600; }
+svg .mark-name { font-weight: 600; font-size: 13px; paint-order: stroke; stroke: var(--paper);
+  stroke-width: 4px; }
 )css";
 
 constexpr const char* kLegend =
@@ -115,10 +116,10 @@ std::string head(const json& pareto) {
                              escaped(value_text(host.at("cpu"))), host.at("cores").dump());
     return fmt::format(
         "<h1>What accuracy costs in time: {}</h1><p class=\"identity\">{} · {} x {} pixels, {} "
-        "eye(s) · {} · {} · {} points · foverig {} ({}), {}</p><p class=\"identity\">{}</p>",
+        "· {} · {} · {} points · foverig {} ({}), {}</p><p class=\"identity\">{}</p>",
         escaped(sweep.at("name").get<std::string>()), shown_scenes(sweep),
         display.at("eye_width_px").dump(), display.at("eye_height_px").dump(),
-        display.at("eyes").dump(), shown_frames(sweep),
+        display.at("eyes") == 1 ? "one eye" : "both eyes", shown_frames(sweep),
         pareto.at("modelled").get<bool>()
             ? "times are modelled: fixed cost"
             : sweep.at("repetitions").dump() + " runs a point, interleaved",
@@ -205,11 +206,11 @@ std::string page(const json& pareto) {
             "that the effect adds. Error removed: what the error would be more without it; below "
             "0 it adds error, as foveation does to save time: then error per ms is what a saved "
             "millisecond costs. Intervals are of the differences, "
-            "run by run and frame by frame.",
+            "run by run and frame by frame; none stands where runs or frames are too few for one.",
             price_table(pareto));
     if (const std::string table = pass_table(pareto); !table.empty())
         html += report::section("Where the time goes along the front",
-                                "Means of all runs beyond the warm-up.", table);
+                                "Means of all runs beyond the warm-up, the longest first.", table);
     html += report::section("Times of all points",
                             "VSyncs missed: had every frame begun at a VSync. p99 needs 299 "
                             "independent frames, else n is too small.",

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "rig/report/markup.h"
@@ -43,6 +45,15 @@ std::string memory_cell(const json& point) {
     return report::bytes(bytes.is_null() ? std::nullopt : std::optional(bytes.get<double>()));
 }
 
+/// Milliseconds of a pass at each place of the front; absent where it did not run.
+using AlongFront = std::vector<std::optional<double>>;
+
+double sum_of(const AlongFront& times_ms) {
+    double sum = 0.0;
+    for (const auto& ms : times_ms) sum += ms.value_or(0.0);
+    return sum;
+}
+
 }  // namespace
 
 std::string front_table(const json& pareto) {
@@ -69,7 +80,7 @@ std::string within_table(const json& pareto) {
              found ? number(wish.at("time_ms").get<double>()) : "–"});
     }
     return rows.empty() ? ""
-                        : report::table({"error at most", "cheapest settings", "ms"}, rows, {0, 2});
+                        : report::table({"error at most", "cheapest settings", "ms"}, rows, {2});
 }
 
 std::string time_table(const json& pareto) {
@@ -110,24 +121,25 @@ std::string error_table(const json& pareto) {
 }
 
 std::string pass_table(const json& pareto) {
+    const json& front = pareto.at("front");
     std::vector<std::string> heads{"pass, ms a frame"};
-    std::map<std::string, std::vector<std::string>> rows_of;
     std::vector<std::size_t> numeric;
-    for (const json& place : pareto.at("front")) {
-        heads.push_back("point " + place.at("point").dump());
-        numeric.push_back(heads.size() - 1);
-        const json& passes = point_at(pareto, place.at("point")).at("pass_time_ms");
-        for (const auto& [pass, ms] : passes.items()) {
-            auto& row = rows_of[pass];
-            row.resize(heads.size() - 2, "–");
-            row.push_back(number(ms.get<double>()));
-        }
+    std::map<std::string, AlongFront> by_name;
+    for (std::size_t i = 0; i < front.size(); ++i) {
+        heads.push_back("point " + front[i].at("point").dump());
+        numeric.push_back(i + 1);
+        const json& passes = point_at(pareto, front[i].at("point")).at("pass_time_ms");
+        for (const auto& [pass, ms] : passes.items())
+            by_name.try_emplace(pass, front.size()).first->second[i] = ms.get<double>();
     }
+    std::vector<std::pair<std::string, AlongFront>> passes(by_name.begin(), by_name.end());
+    std::stable_sort(passes.begin(), passes.end(), [](const auto& a, const auto& b) {
+        return sum_of(a.second) > sum_of(b.second);
+    });
     std::vector<std::vector<std::string>> rows;
-    for (auto& [pass, cells] : rows_of) {
-        cells.resize(heads.size() - 1, "–");
-        cells.insert(cells.begin(), "<code>" + escaped(pass) + "</code>");
-        rows.push_back(cells);
+    for (const auto& [pass, times_ms] : passes) {
+        rows.push_back({"<code>" + escaped(pass) + "</code>"});
+        for (const auto& ms : times_ms) rows.back().push_back(number(ms));
     }
     return rows.empty() ? "" : report::table(heads, rows, numeric);
 }

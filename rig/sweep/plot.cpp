@@ -90,7 +90,9 @@ std::string plot(const json& pareto) {
         if (!mark.is_default) continue;
         const Point at = chart.place(mark);
         chart.svg.circle(at, 10.0, "default-ring", mark.title);
-        chart.svg.text({at.x + 13, at.y - 9}, "default", "axis-strong");
+        // Below and to the left of a front nothing lies.
+        const double below = at.y + 22.0 < chart.bottom() ? at.y + 20.0 : at.y - 12.0;
+        chart.svg.text({at.x - 11, below}, "default", "mark-name", "end");
     }
     return chart.svg.str();
 }

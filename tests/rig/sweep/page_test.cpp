@@ -47,7 +47,8 @@ Measured three_points() {
         measured.accuracies[point] = accuracy;
         for (int repetition = 0; repetition < 2; ++repetition) {
             const double ms = kMs[point] + (repetition == 0 ? -0.5 : 0.5);
-            measured.times[point].push_back({point, repetition, {99, ms, ms, ms}, {{"trace", ms}}});
+            measured.times[point].push_back(
+                {point, repetition, {99, ms, ms, ms}, {{"a_short_one", 0.1}, {"trace", ms}}});
         }
     }
     return measured;
@@ -78,6 +79,8 @@ TEST(ParetoPage, SaysWhatTheJsonSays) {
     EXPECT_THAT(html, HasSubstr("Abacus, 3 cores"));
     EXPECT_THAT(html, HasSubstr("Recorded: headset (a real one). Frame times are measured"));
     EXPECT_THAT(html, HasSubstr("n too small"));
+    EXPECT_LT(html.find("<code>trace</code>"), html.find("<code>a_short_one</code>"))
+        << "what takes longest comes first";
     EXPECT_THAT(html, testing::Not(HasSubstr("<script")));
     EXPECT_THAT(html, testing::Not(HasSubstr("://")));
 }
