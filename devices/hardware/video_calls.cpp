@@ -34,6 +34,7 @@ class KernelVideo final : public VideoCalls {
         const int ready = ::poll(&waited, 1, timeout_ms);
         return ready < 0 && errno == EINTR ? 0 : ready;
     }
+    void pause(int ms) override { (void)::poll(nullptr, 0, ms); }
     std::int64_t monotonic_ns() override {
         timespec now{};
         (void)::clock_gettime(CLOCK_MONOTONIC, &now);

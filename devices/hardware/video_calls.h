@@ -18,6 +18,7 @@ class VideoCalls {
     virtual int unmap(void* memory, std::size_t size) = 0;
     /// Waits for a buffer: above 0 there is one, 0 none in time.
     virtual int wait(int file, int timeout_ms) = 0;
+    virtual void pause(int ms) = 0;
     virtual std::int64_t monotonic_ns() = 0;
 };
 

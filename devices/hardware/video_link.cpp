@@ -20,6 +20,8 @@ namespace {
 constexpr std::uint32_t kBuffers = 4;
 constexpr std::uint32_t kFewestBuffers = 2;  // one is filled while one is read
 constexpr int kWait_ms = 50;                 // how soon the reader sees that it should stop
+constexpr int kTries = 4;                    // of a request to a unit that is not ready
+constexpr int kPause_ms = 5;                 // between two of them
 
 v4l2_buffer mapped_buffer(std::uint32_t index = 0) {
     v4l2_buffer buffer{};
@@ -244,13 +246,39 @@ Status VideoLink::query(std::uint8_t request, std::uint8_t selector, std::uint16
     query.query = request;
     query.size = static_cast<std::uint16_t>(data.size());
     query.data = reinterpret_cast<std::uint8_t*>(data.data());
-    if (calls_->ioctl(file_, UVCIOC_CTRL_QUERY, &query) >= 0) return Done{};
-    if (errno == ENOENT || errno == EINVAL || errno == ENOTTY || errno == ENOBUFS) {
-        return Error{ErrorCode::unsupported,
-                     fmt::format("{} has no selector {} of {} bytes in extension unit {}", path_,
-                                 selector, data.size(), unit)};
+    for (int tried = 1; calls_->ioctl(file_, UVCIOC_CTRL_QUERY, &query) < 0; ++tried) {
+        if (errno != EBUSY || tried == kTries) return refused(selector, unit, data.size());
+        calls_->pause(kPause_ms);
     }
-    return failed("answer its extension unit");
+    return Done{};
+}
+
+/// Of a unit, uvcvideo says EBUSY for the camera's own "not ready" and EACCES (once EILSEQ) for its
+/// "wrong state": neither tells of another program or of a user's rights.
+Error VideoLink::refused(std::uint8_t selector, std::uint16_t unit, std::size_t size) const {
+    switch (errno) {
+        case ENOENT:
+        case EINVAL:
+        case ENOTTY:
+        case ENOBUFS:
+            return {ErrorCode::unsupported,
+                    fmt::format("{} has no selector {} of {} bytes in extension unit {}", path_,
+                                selector, size, unit)};
+        case EBUSY:
+            return {ErrorCode::io,
+                    fmt::format("{}: extension unit {} is still at work on an earlier request and "
+                                "was not ready for selector {} within {} ms; where that lasts, "
+                                "unplug the camera and plug it in again",
+                                path_, unit, selector, (kTries - 1) * kPause_ms)};
+        case EACCES:
+        case EILSEQ:
+            return {ErrorCode::io,
+                    fmt::format("{}: extension unit {} takes no selector {} in the state that it "
+                                "is in; unplug the camera and plug it in again",
+                                path_, unit, selector)};
+        default:
+            return failed("answer its extension unit");
+    }
 }
 
 /// The kernel lets nothing through that is not as long as the camera says.

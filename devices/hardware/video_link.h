@@ -25,7 +25,8 @@ class VideoLink final : public Link {
 
     Status read(PacketQueue& packets) override;
     /// SET_CUR of selector `id` of the extension unit `value`; `data` is cut, or filled up with
-    /// zeros, to the selector's length as the camera tells it.
+    /// zeros, to the selector's length as the camera tells it. A unit that is not ready is asked
+    /// again for 15 ms. Errors: unsupported, closed, io.
     Status control_set(std::uint8_t id, std::uint16_t value, Bytes data) override;
     /// GET_CUR of the same: `size` bytes, or fewer where the selector is shorter.
     Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
@@ -51,6 +52,7 @@ class VideoLink final : public Link {
     Status query(std::uint8_t request, std::uint8_t selector, std::uint16_t unit,
                  std::span<std::byte> data);
     Result<std::size_t> length_of(std::uint8_t selector, std::uint16_t unit);
+    Error refused(std::uint8_t selector, std::uint16_t unit, std::size_t size) const;
     Error failed(const char* doing) const;
 
     std::string path_;

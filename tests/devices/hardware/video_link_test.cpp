@@ -31,6 +31,8 @@ class PlayedKernel final : public VideoCalls {
     v4l2_buffer filled{};
     std::vector<std::uint8_t> unit_memory;
     std::uint16_t unit_length = 3;  ///< of each selector
+    int not_ready = 0;              ///< requests to the unit that find it so
+    int paused_ms = 0;
     static constexpr std::size_t kSize = 752 * 480;
     std::array<std::vector<std::byte>, 4> memory{};
     int mapped = 0, opened = 0, queued = 0;
@@ -91,6 +93,11 @@ class PlayedKernel final : public VideoCalls {
                 return 0;
             case UVCIOC_CTRL_QUERY: {
                 if (fails("xu")) return -1;
+                if (not_ready > 0) {
+                    --not_ready;
+                    errno = EBUSY;
+                    return -1;
+                }
                 auto* q = static_cast<uvc_xu_control_query*>(argument);
                 EXPECT_EQ(q->unit, 4);
                 // As uvcvideo does.
@@ -123,6 +130,7 @@ class PlayedKernel final : public VideoCalls {
         return 0;
     }
     int wait(int, int) override { return fails("poll") ? -1 : static_cast<int>(ready); }
+    void pause(int ms) override { paused_ms += ms; }
     std::int64_t monotonic_ns() override { return 100'000'000'000; }
 
     void fill(std::uint32_t index, std::uint32_t sequence) {
@@ -317,6 +325,28 @@ TEST(VideoLink, TheExtensionUnitIsAskedAsUvcHasIt) {
     EXPECT_EQ(link->control_get(2, 4, 3).error().code, ErrorCode::closed);
     kernel.fail["xu"] = EIO;
     EXPECT_EQ(link->control_get(2, 4, 3).error().code, ErrorCode::io);
+}
+
+/// EBUSY of a unit is the camera's "not ready" (UVC 1.5, 4.2.1.2) and never another program.
+TEST(VideoLink, AUnitThatIsNotReadyIsAskedAgainAndNobodyIsBlamed) {
+    const std::vector<std::byte> asked{std::byte{0x84}, std::byte{0x98}, std::byte{0}};
+    PlayedKernel kernel;
+    const auto link = opened(kernel);
+    ASSERT_TRUE(link->control_set(2, 4, asked));
+    kernel.not_ready = 3;
+    EXPECT_EQ(link->control_get(2, 4, 3).value(), asked);
+    EXPECT_EQ(kernel.paused_ms, 15);
+    for (const int reason : {EBUSY, EACCES, EILSEQ}) {
+        kernel.fail["xu"] = reason;
+        const auto refused = link->control_set(2, 4, asked);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().code, ErrorCode::io) << reason;
+        EXPECT_NE(refused.error().text.find("extension unit 4"), std::string::npos);
+        for (const char* untrue : {"held by", "program", "udev"}) {
+            EXPECT_EQ(refused.error().text.find(untrue), std::string::npos) << refused.error().text;
+        }
+    }
+    EXPECT_EQ(kernel.paused_ms, 30) << "what is in the wrong state is not asked again";
 }
 
 /// The length of selector 3 is not known: what the camera says holds.

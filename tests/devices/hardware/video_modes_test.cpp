@@ -37,6 +37,7 @@ class ListingKernel final : public VideoCalls {
     void* map(std::size_t, int, std::int64_t) override { return nullptr; }
     int unmap(void*, std::size_t) override { return 0; }
     int wait(int, int) override { return 0; }
+    void pause(int) override {}
     std::int64_t monotonic_ns() override { return 0; }
 
   private:
