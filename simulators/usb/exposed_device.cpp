@@ -31,7 +31,7 @@ void ExposedDevice::run(const std::stop_token& stop) {
         frame = std::max(frame + kUsbFrame, clock_.now());
         clock_.sleep_until(frame);
     }
-    face_.reset();
+    unplug();
 }
 
 bool ExposedDevice::pass_on(const std::stop_token& stop) {
@@ -41,13 +41,13 @@ bool ExposedDevice::pass_on(const std::stop_token& stop) {
         if (auto* packet = std::get_if<Packet>(&next)) {
             if (!face_ && !plug_in_again()) return false;
             face_->send(std::move(packet->bytes).release());
+            note_unheard();
             const std::lock_guard lock(mutex_);
             ++counts_.packets;
-            counts_.unheard = face_->unheard();
         } else if (std::holds_alternative<Timeout>(next)) {
             return face_ || plug_in_again();
         } else if (std::holds_alternative<Fault>(next)) {
-            face_.reset();
+            unplug();
             return true;
         } else {
             return end();
@@ -63,6 +63,19 @@ bool ExposedDevice::plug_in_again() {
     const std::lock_guard lock(mutex_);
     ++counts_.plugged_in;
     return true;
+}
+
+void ExposedDevice::unplug() {
+    if (!face_) return;
+    note_unheard();
+    unheard_before_ += face_->unheard();
+    face_.reset();
+}
+
+void ExposedDevice::note_unheard() {
+    const std::uint64_t unheard = unheard_before_ + face_->unheard();
+    const std::lock_guard lock(mutex_);
+    counts_.unheard = unheard;
 }
 
 bool ExposedDevice::end(std::optional<Error> error) {

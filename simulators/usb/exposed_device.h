@@ -15,7 +15,7 @@ class ExposedDevice {
     struct Counts {
         std::uint64_t packets = 0;
         std::uint64_t plugged_in = 0;
-        std::uint64_t unheard = 0;  ///< by the face that is plugged in, or was last
+        std::uint64_t unheard = 0;  ///< as Face's, over all that were plugged in
     };
 
     /// Plugged in now; the error is why it cannot be. `model` and `clock` outlive the device; the
@@ -36,13 +36,16 @@ class ExposedDevice {
     /// All that is due; false: it is over.
     bool pass_on(const std::stop_token& stop);
     bool plug_in_again();
+    void unplug();
+    void note_unheard();
     bool end(std::optional<Error> error = {});
 
     LockedTransport& model_;
     Clock& clock_;
     PlugIn plug_in_;
-    std::unique_ptr<Face> face_;  // null while the model is unplugged
-    mutable std::mutex mutex_;    // of what follows
+    std::unique_ptr<Face> face_;        // null while the model is unplugged
+    std::uint64_t unheard_before_ = 0;  // by the faces before this one
+    mutable std::mutex mutex_;          // of what follows
     Counts counts_{.packets = 0, .plugged_in = 1, .unheard = 0};
     bool ended_ = false;
     std::optional<Error> error_;

@@ -44,10 +44,13 @@ class LoggedFace final : public Face {
     ~LoggedFace() override { log_.add('-'); }
     void send(std::vector<std::byte> packet) override {
         log_.add(static_cast<char>(packet.front()));
+        unheard_ += packet.front() == std::byte{'u'} ? 1 : 0;
     }
     bool connected() const override { return connected_; }
+    std::uint64_t unheard() const override { return unheard_; }
 
   private:
+    std::uint64_t unheard_ = 0;
     Log& log_;
     const std::atomic<bool>& connected_;
 };
@@ -103,6 +106,19 @@ TEST_F(ExposedDeviceTest, UnplugsAndPlugsInWithTheModel) {
     EXPECT_EQ(device->counts().plugged_in, 3u);
     device.reset();
     EXPECT_EQ(log.text, "+a-+b-+c-");
+}
+
+TEST_F(ExposedDeviceTest, CountsWhatNobodyHeardOverEveryReplug) {
+    for (const char c : std::string("uau")) model.script.push_back(packet(c));
+    model.script.push_back(unplugged());
+    for (const char c : std::string("au")) model.script.push_back(packet(c));
+    model.script.push_back(unplugged());
+    model.script.push_back(packet('a'));
+    model.script.emplace_back(EndOfStream{});
+    const auto device = begin();
+    wait_for_end(*device);
+    EXPECT_EQ(device->counts().plugged_in, 3u);
+    EXPECT_EQ(device->counts().unheard, 3u);
 }
 
 TEST_F(ExposedDeviceTest, EndsWhereTheKernelLetsGo) {
