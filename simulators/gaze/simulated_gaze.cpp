@@ -15,8 +15,8 @@ SimulatedGaze::SimulatedGaze(Clock& clock, const motion::EyeMotion& eyes, const 
     : clock_(clock), eyes_(eyes), settings_(settings) {
     const HostTime now = clock.now();
     if (settings.faults.unplug_for > 0.0) {
-        unplugged_at_ = now + from_seconds(settings.faults.unplug_at);
-        plugged_again_at_ = unplugged_at_ + from_seconds(settings.faults.unplug_for);
+        const HostTime from = now + from_seconds(settings.faults.unplug_at);
+        outages_.push_back({from, from + from_seconds(settings.faults.unplug_for)});
     }
     plug_in(now);
 }
@@ -31,17 +31,28 @@ void SimulatedGaze::cut_wire(HostTime at) {
 }
 
 void SimulatedGaze::advance(HostTime until) {
-    if (firmware_) firmware_->advance(std::min(until, unplugged_at_), wire_);
-    if (until >= unplugged_at_) {
-        cut_wire(unplugged_at_);
+    if (firmware_) firmware_->advance(std::min(until, unplugged_at()), wire_);
+    if (until >= unplugged_at()) {
+        cut_wire(unplugged_at());
         firmware_.reset();
-        unplugged_at_ = HostTime::max();
+        plugged_again_at_ = outages_.front().to;
+        outages_.pop_front();
         fault_due_ = true;
     }
     if (until >= plugged_again_at_ && !fault_due_) {
         plug_in(plugged_again_at_);
         plugged_again_at_ = HostTime::max();
     }
+}
+
+/// Of one that reaches into the next, both are one.
+void SimulatedGaze::unplug_now(HostTime now, Nanoseconds duration) {
+    Outage outage{now, now + duration};
+    while (unplugged_at() <= outage.to) {
+        outage.to = std::max(outage.to, outages_.front().to);
+        outages_.pop_front();
+    }
+    outages_.push_front(outage);
 }
 
 NextPacket SimulatedGaze::next(HostTime deadline) {
@@ -58,7 +69,7 @@ NextPacket SimulatedGaze::next(HostTime deadline) {
             return Fault{unplugged()};
         }
         if (now >= deadline) return Timeout{};
-        HostTime event = std::min({deadline, firmware_->next_event(), unplugged_at_});
+        HostTime event = std::min({deadline, firmware_->next_event(), unplugged_at()});
         if (!wire_.empty()) event = std::min(event, wire_.front().arrival);
         clock_.sleep_until(event);
     }
@@ -81,8 +92,7 @@ Status SimulatedGaze::control_set(std::uint8_t request, std::uint16_t value,
     if (request == gaze::request::sim_fault) {
         const auto fault = gaze::SimFault::decode(data);
         if (fault && fault->kind == gaze::FaultKind::unplug) {
-            unplugged_at_ = now;
-            plugged_again_at_ = now + std::chrono::milliseconds(fault->duration_ms);
+            unplug_now(now, std::chrono::milliseconds(fault->duration_ms));
             return Done{};
         }
     }

@@ -32,17 +32,26 @@ class SimulatedGaze final : public Transport {
                                                std::size_t size) override;
 
   private:
+    struct Outage {
+        HostTime from, to;
+    };
+
     void plug_in(HostTime now);
     void cut_wire(HostTime at);  ///< what would arrive later is lost
     void advance(HostTime until);
+    void unplug_now(HostTime now, Nanoseconds duration);
+    HostTime unplugged_at() const {
+        return outages_.empty() ? HostTime::max() : outages_.front().from;
+    }
 
     Clock& clock_;
     const motion::EyeMotion& eyes_;
     Settings settings_;
-    HostTime unplugged_at_{HostTime::max()}, plugged_again_at_{HostTime::max()};
-    bool fault_due_ = false;                // nobody was told yet that it was unplugged
-    std::optional<GazeFirmware> firmware_;  // none while unplugged
-    std::deque<Packet> wire_;               // in order of arrival
+    std::deque<Outage> outages_;  // to come, apart, in order: ordered ones before the faults' own
+    HostTime plugged_again_at_{HostTime::max()};  // of the one that goes on
+    bool fault_due_ = false;                      // nobody was told yet that it was unplugged
+    std::optional<GazeFirmware> firmware_;        // none while unplugged
+    std::deque<Packet> wire_;                     // in order of arrival
 };
 
 }  // namespace foverig

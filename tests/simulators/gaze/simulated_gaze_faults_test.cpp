@@ -170,6 +170,35 @@ TEST(SimulatedGaze, IsUnpluggedWhenOrderedAndComesBackIdle) {
     EXPECT_TRUE(tracker.order(request::start)) << "idle";
 }
 
+/// At each 0.1 s, asked just after it: '.' plugged in, 'x' not.
+std::string plugged(GazeBench& tracker, int from_ms, int until_ms) {
+    std::string seen;
+    for (int ms = from_ms; ms < until_ms; ms += 100) {
+        const HostTime now = at(milliseconds(ms + 5));
+        tracker.clock.sleep_until(now);
+        (void)tracker.packets_until(now);
+        seen += std::holds_alternative<Fault>(tracker.device.next(now)) ? 'x' : '.';
+    }
+    return seen;
+}
+
+TEST(SimulatedGaze, AnOrderedUnplugLeavesTheScheduledOneStanding) {
+    auto settings = with("unplug_at", 1.0);
+    settings.faults.unplug_for = 0.3;
+    GazeBench apart(settings);
+    EXPECT_EQ(plugged(apart, 0, 400), "....");
+    ASSERT_TRUE(order(apart, {.kind = gaze::FaultKind::unplug, .duration_ms = 200}));
+    EXPECT_EQ(plugged(apart, 400, 1600), "x.....xxx...");
+    GazeBench overlapping(settings);
+    EXPECT_EQ(plugged(overlapping, 0, 900), ".........");
+    ASSERT_TRUE(order(overlapping, {.kind = gaze::FaultKind::unplug, .duration_ms = 200}));
+    EXPECT_EQ(plugged(overlapping, 900, 1600), "xxxx...");
+    GazeBench around(settings);
+    EXPECT_EQ(plugged(around, 0, 900), ".........");
+    ASSERT_TRUE(order(around, {.kind = gaze::FaultKind::unplug, .duration_ms = 600}));
+    EXPECT_EQ(plugged(around, 900, 1900), "xxxxx.....");
+}
+
 TEST(SimulatedGaze, DriftsFromTheOrderOn) {
     GazeBench tracker;
     ASSERT_TRUE(tracker.order(request::start));
