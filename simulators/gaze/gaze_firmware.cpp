@@ -83,7 +83,7 @@ void GazeFirmware::drift(double ppm, HostTime now) {
 
 std::optional<gaze::EyeCause> GazeFirmware::unseen(HostTime now) const {
     if (now < orders_.eyes_lost_until) return gaze::EyeCause::simulated_fault;
-    if (now < orders_.blink_until) return gaze::EyeCause::blink;
+    if (now < orders_.blink_until && !orders_.blink_of) return gaze::EyeCause::blink;
     return std::nullopt;
 }
 
@@ -102,6 +102,11 @@ void GazeFirmware::expose() {
     const bool low_pass = (status_.options & gaze::option::binocular_low_pass) != 0;
     gaze::SampleFrame frame =
         tracker_.measure(to_seconds(now.time_since_epoch()), rate_hz_, low_pass, unseen(now));
+    std::optional<TrackerModel::Gaze> raw_deg = tracker_.raw_deg();
+    if (now < orders_.blink_until && orders_.blink_of) {
+        shut_eye(frame, *orders_.blink_of);
+        raw_deg.reset();
+    }
     const bool lost = happens(settings_.faults.lost_exposure, kLost);
     HostTime queue_at = now + latency(exposures_);
     if (!measured_.empty()) queue_at = std::max(queue_at, measured_.back().at);
@@ -119,7 +124,7 @@ void GazeFirmware::expose() {
     frame.calibration_id = status_.calibration_id;
     frame.calibration_points = status_.calibration_points;
     frame.calibration_quality = status_.calibration_quality;
-    measured_.push_back({queue_at, frame, {.exposed = now, .gaze_deg = tracker_.raw_deg()}});
+    measured_.push_back({queue_at, frame, {.exposed = now, .gaze_deg = raw_deg}});
 }
 
 gaze::FrameHeader GazeFirmware::header(HostTime queued_at) {

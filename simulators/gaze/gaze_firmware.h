@@ -51,6 +51,7 @@ class GazeFirmware {
         int drop = 0, spoil = 0, repeat = 0;
         int stall = 0;  ///< requests
         HostTime eyes_lost_until{}, blink_until{};
+        std::optional<Side> blink_of{};  ///< none: of both eyes
     };
 
     static Error stall(const std::string& why);
@@ -62,6 +63,7 @@ class GazeFirmware {
     void stop();
     Status set_rate(std::uint16_t hz);
     Status order(const gaze::SimFault& fault, HostTime now);
+    Status order_blink(const gaze::SimFault& fault, HostTime now);
     Status start_calibration(std::uint16_t points, Bytes data, HostTime now);
     Status validate(std::uint16_t points, Bytes data, HostTime now);
     Status accept_point(Bytes data, HostTime now);

@@ -77,8 +77,7 @@ Status GazeFirmware::order(const gaze::SimFault& fault, HostTime now) {
             orders_.eyes_lost_until = now + std::chrono::milliseconds(fault.duration_ms);
             return Done{};
         case gaze::FaultKind::blink:
-            orders_.blink_until = now + std::chrono::milliseconds(fault.duration_ms);
-            return Done{};
+            return order_blink(fault, now);
         case gaze::FaultKind::stall:
             orders_.stall += fault.count;
             return Done{};
@@ -89,6 +88,20 @@ Status GazeFirmware::order(const gaze::SimFault& fault, HostTime now) {
         default:
             return stall(fmt::format("SIM_FAULT {}", static_cast<int>(fault.kind)));
     }
+}
+
+/// p1 says whose, in an event's numbers: 0 both, 1 left, 2 right (ours: the protocol leaves it
+/// open).
+Status GazeFirmware::order_blink(const gaze::SimFault& fault, HostTime now) {
+    if (fault.p1 == 0.0F) {
+        orders_.blink_of.reset();
+    } else if (fault.p1 == 1.0F || fault.p1 == 2.0F) {
+        orders_.blink_of = fault.p1 == 1.0F ? Side::left : Side::right;
+    } else {
+        return stall("a blink of an eye that nobody has");
+    }
+    orders_.blink_until = now + std::chrono::milliseconds(fault.duration_ms);
+    return Done{};
 }
 
 bool GazeFirmware::stalls_as_ordered() {

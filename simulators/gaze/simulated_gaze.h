@@ -10,8 +10,8 @@ namespace foverig {
 
 /// Idle until START, as the real one. Bytes are made as time passes on `clock`, up to the deadline
 /// that is asked for and no further; `next` waits on the clock where the next packet lies ahead.
-/// Motion time is host time. Not simulated: events, a blink of one eye alone; a tracker that is
-/// plugged in again has lost its calibration.
+/// Motion time is host time. Not simulated: events; a blink of one eye alone comes only by an
+/// order; a tracker that is plugged in again has lost its calibration.
 class SimulatedGaze final : public Transport {
   public:
     struct Settings {

@@ -11,6 +11,7 @@ using gaze::SampleFrame;
 
 constexpr double kEccentricityScale_deg = 20.0;
 constexpr double kLidPull_deg = 2.0;  // a half-closed lid drags the measured pupil down
+constexpr float kRightEyesPor_px = 960.0F;
 constexpr float kConfidence = 0.95f, kLidConfidence = 0.5f;
 
 gaze::Vec2f pair_of(const dvec2& v) {
@@ -21,7 +22,7 @@ EyeBlock tracked_eye(Side side, const dvec3& direction, double openness) {
     EyeBlock eye;
     const dvec3 base_mm = eye_base_mm(side);
     dvec2 por_px = por_in_eye_px(side, direction);
-    if (side == Side::right) por_px.x += 960.0;
+    if (side == Side::right) por_px.x += kRightEyesPor_px;
     eye.base_point_mm = on_wire(base_mm);
     eye.direction = on_wire(direction);
     eye.por_px = pair_of(por_px);
@@ -78,6 +79,21 @@ void lower_confidence(EyeBlock& eye) {
 }
 
 }  // namespace
+
+void shut_eye(SampleFrame& frame, Side side) {
+    namespace status = gaze::sample_status;
+    if ((frame.status & status::valid) == 0) return;
+    const bool left = side == Side::left;
+    (left ? frame.left : frame.right) = unseen_eye(gaze::EyeCause::blink, 0.0);
+    frame.status = static_cast<std::uint16_t>(
+        (frame.status & ~(left ? status::left_valid : status::right_valid)) |
+        (left ? status::left_blink : status::right_blink));
+    const EyeBlock& open = left ? frame.right : frame.left;
+    frame.base_point_mm = open.base_point_mm;
+    frame.direction = open.direction;
+    frame.por_px = {open.por_px[0] - (left ? kRightEyesPor_px : 0.0F), open.por_px[1]};
+    frame.ipd_mm = frame.vergence_distance_mm = gaze::kNotMeasured;
+}
 
 TrackerModel::TrackerModel(const motion::EyeMotion& eyes, const GazeFaults& faults,
                            std::uint64_t seed)

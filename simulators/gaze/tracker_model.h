@@ -61,4 +61,8 @@ class TrackerModel {
     std::optional<Gaze> smoothed_;
 };
 
+/// A sample in which that eye's lid is down and the other's is not: the combined ray is the other
+/// eye's (DEVICES.md 4.5.3, rule f), and how far both look is not known.
+void shut_eye(gaze::SampleFrame& frame, Side side);
+
 }  // namespace foverig

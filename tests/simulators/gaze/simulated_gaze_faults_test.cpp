@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "devices/gaze/gaze_sample.h"
 #include "tests/simulators/gaze/gaze_bench.h"
 
 namespace foverig {
@@ -148,6 +149,46 @@ TEST(SimulatedGaze, BlinksWhenOrdered) {
         EXPECT_EQ(shut, arrived.frame.left.openness == 0.0F);
     }
     EXPECT_EQ(blinks, 12);
+}
+
+// DEVICES.md 4.5.3, rule (f): one eye at 3, and the combined ray is that eye's.
+TEST(SimulatedGaze, BlinksWithOneEyeWhenOrdered) {
+    namespace status = gaze::sample_status;
+    for (const bool left : {true, false}) {
+        GazeBench tracker;
+        ASSERT_TRUE(tracker.order(request::start));
+        (void)tracker.samples_until(at(milliseconds(990)));
+        ASSERT_TRUE(
+            order(tracker,
+                  {.kind = gaze::FaultKind::blink, .p1 = left ? 1.0F : 2.0F, .duration_ms = 200}));
+        int blinks = 0;
+        for (const auto& arrived : tracker.samples_until(at(seconds(2)))) {
+            const auto& frame = arrived.frame;
+            const auto& lid = left ? frame.left : frame.right;
+            const auto& other = left ? frame.right : frame.left;
+            const std::uint16_t of_lid = left ? status::left_blink : status::right_blink;
+            const bool shut = (frame.status & (status::left_blink | status::right_blink)) != 0;
+            EXPECT_EQ(other.state, gaze::EyeState::tracked);
+            if (!shut) continue;
+            ++blinks;
+            EXPECT_EQ(frame.status, status::valid | status::combined_valid | of_lid |
+                                        (left ? status::right_valid : status::left_valid));
+            EXPECT_EQ(lid.state, gaze::EyeState::invalid);
+            EXPECT_EQ(lid.cause, gaze::EyeCause::blink);
+            EXPECT_EQ(lid.openness, 0.0F);
+            EXPECT_EQ(frame.direction, other.direction);
+            EXPECT_EQ(frame.base_point_mm, other.base_point_mm);
+            EXPECT_GE(frame.por_px[0], 0.0F);
+            EXPECT_LT(frame.por_px[0], 960.0F);
+            EXPECT_TRUE(std::isnan(frame.vergence_distance_mm));
+            const GazeSample sample = to_sample(frame);
+            EXPECT_EQ(sample.left.ray.valid, !left);
+            EXPECT_EQ(sample.right.ray.valid, left);
+            EXPECT_TRUE(sample.combined.valid);
+        }
+        EXPECT_EQ(blinks, 12);
+        EXPECT_FALSE(order(tracker, {.kind = gaze::FaultKind::blink, .p1 = 3.0F}));
+    }
 }
 
 TEST(SimulatedGaze, StallsAsManyRequestsAsOrdered) {
