@@ -8,7 +8,17 @@
 
 namespace foverig {
 
-enum class ErrorCode { invalid_data, io, not_found, busy, forbidden, unsupported, closed };
+/// Recordings hold them by number: a new one comes last.
+enum class ErrorCode {
+    invalid_data,
+    io,
+    not_found,
+    busy,
+    forbidden,
+    unsupported,
+    closed,
+    not_asked  ///< nothing was sent: the device let an earlier request run out of time
+};
 
 struct Error {
     ErrorCode code = ErrorCode::invalid_data;

@@ -25,4 +25,12 @@ struct SourceCounts {
     std::uint64_t reconnects = 0;
 };
 
+/// Requests of a source that came to nothing.
+struct FailedRequests {
+    std::uint64_t refused = 0;   ///< by the device, or not answered, or not as they should be
+    std::uint64_t not_sent = 0;  ///< ErrorCode::not_asked
+
+    void count(const Error& error) { ++(error.code == ErrorCode::not_asked ? not_sent : refused); }
+};
+
 }  // namespace foverig

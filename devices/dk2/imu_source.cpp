@@ -89,9 +89,10 @@ KeepAliveMuxReport Dk2ImuSource::awake() {
 /// A headset that comes back has forgotten what it was told.
 void Dk2ImuSource::set_up_again(HostTime now) {
     if (!was_gone_ || now < next_set_up_) return;
-    was_gone_ = !set_up();
-    if (!was_gone_) return;
-    ++control_failures_;
+    const Status status = set_up();
+    was_gone_ = !status;
+    if (status) return;
+    failed_requests_.count(status.error());
     next_set_up_ = now + kSetUpPause;
 }
 
@@ -122,7 +123,8 @@ void Dk2ImuSource::take(const Packet& packet) {
         next_correction_ = packet.arrival + kCorrectionPause;
         // Report 17 says which input report it wants, too.
         const auto report17 = awake().encode();
-        if (!transport_->control_set(KeepAliveMuxReport::kId, 0, report17)) ++control_failures_;
+        const Status status = transport_->control_set(KeepAliveMuxReport::kId, 0, report17);
+        if (!status) failed_requests_.count(status.error());
     }
     if (!decoded) {
         ++counts_.rejected;

@@ -43,7 +43,7 @@ class Dk2ImuSource {
     std::vector<LedExposure> take_exposures();
 
     SourceCounts counts() const { return counts_; }
-    std::uint64_t control_failures() const { return control_failures_; }
+    const FailedRequests& failed_requests() const { return failed_requests_; }
     /// Reports in DK1 format that arrived and were answered with report 17.
     std::uint64_t format_switches() const { return format_switches_; }
     const ClockMap<Dk2Time>& clock_map() const { return clock_map_; }
@@ -76,7 +76,8 @@ class Dk2ImuSource {
     HostTime next_set_up_{};  // where it was
     std::uint16_t command_id_ = 0;
     SourceCounts counts_;
-    std::uint64_t control_failures_ = 0, format_switches_ = 0;
+    FailedRequests failed_requests_;
+    std::uint64_t format_switches_ = 0;
 };
 
 static_assert(Source<Dk2ImuSource>);

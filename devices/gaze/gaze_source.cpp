@@ -113,11 +113,12 @@ Status GazeSource::set_up() {
 /// A tracker that comes back is idle, at its own rate.
 void GazeSource::set_up_again() {
     if (!next_set_up_ || clock_->now() < *next_set_up_) return;
-    if (set_up()) {
+    const Status status = set_up();
+    if (status) {
         next_set_up_.reset();
         return;
     }
-    ++control_failures_;
+    failed_requests_.count(status.error());
     next_set_up_ = clock_->now() + kSetUpPause;
 }
 
@@ -214,12 +215,12 @@ void GazeSource::sync_time() {
         transport_->control_get(request::get_time, ++cookie_, DeviceTimeReply::kSize);
     const HostTime after = clock_->now();
     if (!bytes) {
-        ++control_failures_;
+        failed_requests_.count(bytes.error());
         return;
     }
     const auto reply = DeviceTimeReply::decode(*bytes);
     if (!reply || reply->cookie != cookie_ || reply->device_ns >= kLatestNs) {
-        ++control_failures_;
+        ++failed_requests_.refused;
         return;
     }
     const Nanoseconds trip = after - before;

@@ -52,7 +52,7 @@ class GazeSource {
     SourceCounts counts() const { return counts_; }
     std::uint64_t missed_exposures() const { return missed_exposures_; }  ///< gaps in camera_frame
     std::uint32_t dropped_by_device() const { return dropped_by_device_; }
-    std::uint64_t control_failures() const { return control_failures_; }
+    const FailedRequests& failed_requests() const { return failed_requests_; }
     const ClockMap<GazeTime>& clock_map() const { return clock_map_; }
     const Info& info() const { return info_; }
 
@@ -85,7 +85,8 @@ class GazeSource {
     std::optional<HostTime> next_set_up_;  // the tracker was gone: when to try
     std::uint16_t cookie_ = 0;
     SourceCounts counts_;
-    std::uint64_t missed_exposures_ = 0, control_failures_ = 0;
+    FailedRequests failed_requests_;
+    std::uint64_t missed_exposures_ = 0;
     std::uint32_t dropped_by_device_ = 0;
 };
 

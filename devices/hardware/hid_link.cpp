@@ -95,16 +95,22 @@ void HidLink::keep_awake(std::uint8_t, Bytes report, Nanoseconds period) {
 void HidLink::keep_alive_if_due() {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock || keep_alive_.empty()) return;  // locked: a report goes over just now
-    if (std::chrono::steady_clock::now() - last_set_ < keep_alive_period_) return;
+    const HostTime now = clock_.now();
+    if (now - last_set_ < keep_alive_period_ || patience_.spent(now)) return;
     // A failure shows where it matters: reports stop. The next try is a period away either way.
-    (void)send(keep_alive_);
+    if (send(keep_alive_)) {
+        patience_.answered();
+    } else {
+        patience_.failed(now, last_set_);
+    }
 }
 
+/// A report that runs out of time (five seconds in the kernel) is longer under way than a period:
+/// the next one is a period after its end.
 Status HidLink::send(Bytes report) {
-    last_set_ = std::chrono::steady_clock::now();
-    if (hid_send_feature_report(features_.get(), raw(report.data()), report.size()) >= 0) {
-        return Done{};
-    }
+    const int sent = hid_send_feature_report(features_.get(), raw(report.data()), report.size());
+    last_set_ = clock_.now();
+    if (sent >= 0) return Done{};
     return Error{ErrorCode::io, fmt::format("{} did not take feature report {}: {}", path_,
                                             read_u8(report, 0), ascii(hid_error(features_.get())))};
 }

@@ -4,6 +4,7 @@
 
 #include "devices/hardware/found_device.h"
 #include "devices/hardware/link.h"
+#include "devices/hardware/patience.h"
 
 struct hid_device_;
 
@@ -21,7 +22,9 @@ class HidLink final : public Link {
     Status control_set(std::uint8_t id, std::uint16_t value, Bytes report) override;
     Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
                                                std::size_t size) override;
-    /// Any report that is set counts: the next keep-alive is `period` after the last of them.
+    /// Any report that is set counts: the next keep-alive is `period` after the last of them. One
+    /// that runs out of time held `read` up: the next ones rest as Patience has it, apart from what
+    /// others ask, so that a headset which takes them is not let sleep for a request that it lost.
     void keep_awake(std::uint8_t id, Bytes report, Nanoseconds period) override;
 
   private:
@@ -41,7 +44,9 @@ class HidLink final : public Link {
     Handle features_;
     std::vector<std::byte> keep_alive_;  // empty: nobody asked for it
     Nanoseconds keep_alive_period_{};
-    std::chrono::steady_clock::time_point last_set_ = std::chrono::steady_clock::now();
+    WallClock clock_;
+    HostTime last_set_ = clock_.now();
+    Patience patience_;  // with keep-alives
 };
 
 }  // namespace foverig::hardware

@@ -30,7 +30,7 @@ class LiveTransport final : public Transport {
     ~LiveTransport() override;
 
     /// While unplugged: Fault (closed). What is asked of the device then fails in the same way, and
-    /// at once with io where it let a request run out of time not long ago (patience.h).
+    /// at once with not_asked where it let a request run out of time not long ago (patience.h).
     NextPacket next(HostTime deadline) override { return packets_.next(deadline); }
     Status control_set(std::uint8_t id, std::uint16_t value,
                        std::span<const std::byte> data) override;

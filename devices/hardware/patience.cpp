@@ -8,7 +8,7 @@ namespace foverig::hardware {
 
 std::optional<Error> Patience::spent(HostTime now) const {
     if (now >= rests_until_) return std::nullopt;
-    return Error{ErrorCode::io,
+    return Error{ErrorCode::not_asked,
                  fmt::format("the device let a request run out of time and is asked nothing for "
                              "another {:.1f} s; plug it in again",
                              to_seconds(rests_until_ - now))};

@@ -16,7 +16,7 @@ class Patience {
     static constexpr Nanoseconds kLong{100'000'000};  ///< a stall takes a millisecond
     static constexpr std::array<int, 3> kRests{1, 4, 19};
 
-    /// io while the device is to be left alone.
+    /// not_asked while the device is to be left alone.
     std::optional<Error> spent(HostTime now) const;
     void answered() { in_vain_ = 0; }
     void failed(HostTime asked, HostTime now);

@@ -18,7 +18,7 @@ std::vector<std::byte> ControlExchange::encode() const {
 
 Result<ControlExchange> ControlExchange::decode(Bytes bytes) {
     constexpr auto kLastKind = static_cast<std::uint8_t>(Kind::fault);
-    constexpr auto kLastOutcome = 1 + static_cast<int>(ErrorCode::closed);
+    constexpr auto kLastOutcome = 1 + static_cast<int>(ErrorCode::not_asked);
     if (bytes.size() < kHead || read_u8(bytes, 0) > kLastKind || read_u8(bytes, 8) > kLastOutcome) {
         return Error{ErrorCode::invalid_data, "a recorded control transfer is malformed"};
     }

@@ -11,13 +11,15 @@ using Troubles = std::map<std::string, std::uint64_t>;
 
 struct HeadsetTroubles {
     std::uint64_t control_failures = 0;
-    std::uint64_t format_switches = 0;  ///< of its input report
+    std::uint64_t requests_not_sent = 0;  ///< as the device had let one run out of time
+    std::uint64_t format_switches = 0;    ///< of its input report
 };
 
 struct GazeTroubles {
     std::uint64_t missed_exposures = 0;
     std::uint64_t dropped_by_device = 0;
     std::uint64_t control_failures = 0;
+    std::uint64_t requests_not_sent = 0;  ///< as the device had let one run out of time
 };
 
 struct CameraTroubles {

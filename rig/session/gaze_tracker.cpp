@@ -27,12 +27,14 @@ void GazeTracker::read_until(HostTime deadline) {
 }
 
 DeviceRecord GazeTracker::record() const {
-    return {.name = "gaze",
-            .counts = source_.counts(),
-            .rate_hz = sample_rate_hz(source_.counts().samples, first_, newest_any_),
-            .troubles = by_key(GazeTroubles{.missed_exposures = source_.missed_exposures(),
-                                            .dropped_by_device = source_.dropped_by_device(),
-                                            .control_failures = source_.control_failures()})};
+    return {
+        .name = "gaze",
+        .counts = source_.counts(),
+        .rate_hz = sample_rate_hz(source_.counts().samples, first_, newest_any_),
+        .troubles = by_key(GazeTroubles{.missed_exposures = source_.missed_exposures(),
+                                        .dropped_by_device = source_.dropped_by_device(),
+                                        .control_failures = source_.failed_requests().refused,
+                                        .requests_not_sent = source_.failed_requests().not_sent})};
 }
 
 }  // namespace foverig

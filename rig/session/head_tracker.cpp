@@ -70,11 +70,13 @@ std::optional<DeviceRecord> HeadTracker::camera_record() const {
 }
 
 DeviceRecord HeadTracker::record() const {
-    return {.name = "dk2",
-            .counts = source_.counts(),
-            .rate_hz = sample_rate_hz(source_.counts().samples, first_, newest_),
-            .troubles = by_key(HeadsetTroubles{.control_failures = source_.control_failures(),
-                                               .format_switches = source_.format_switches()})};
+    return {
+        .name = "dk2",
+        .counts = source_.counts(),
+        .rate_hz = sample_rate_hz(source_.counts().samples, first_, newest_),
+        .troubles = by_key(HeadsetTroubles{.control_failures = source_.failed_requests().refused,
+                                           .requests_not_sent = source_.failed_requests().not_sent,
+                                           .format_switches = source_.format_switches()})};
 }
 
 }  // namespace foverig

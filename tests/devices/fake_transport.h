@@ -31,6 +31,7 @@ class FakeTransport final : public Transport {
     std::optional<Error> fault_at_end;
     bool end_at_end = false;
     bool refuse_sets = false;
+    ErrorCode refusal = ErrorCode::io;
 
     template <class Container>
     void push(HostTime arrival, const Container& bytes) {
@@ -53,7 +54,7 @@ class FakeTransport final : public Transport {
     Status control_set(std::uint8_t id, std::uint16_t value,
                        std::span<const std::byte> data) override {
         sets.push_back({id, value, {data.begin(), data.end()}});
-        if (refuse_sets) return Error{ErrorCode::io, "refused by the test"};
+        if (refuse_sets) return Error{refusal, "refused by the test"};
         return Done{};
     }
 

@@ -162,6 +162,24 @@ TEST_F(Headset, IsKeptAwakeByTheThreadThatReadsIt) {
     for (std::size_t i = set_up.size(); i < sets.size(); ++i) EXPECT_EQ(sets[i], set_up.back());
 }
 
+/// Each keep-alive that runs out of time holds the reports up: they rest as requests do.
+TEST_F(Headset, IsNotKeptBusyWithKeepAlivesThatRunOutOfTime) {
+    MockHeadset headset(bed_);
+    const auto device = open();
+    ASSERT_TRUE(device) << device.error().text;
+    const std::chrono::milliseconds takes(120);
+    headset.let_sets_run_out_of_time(takes);
+    const auto report = dk2::KeepAliveMuxReport{}.encode();
+    (*device)->keep_awake(dk2::KeepAliveMuxReport::kId, report, Nanoseconds(1'000'000));
+    const HostTime deadline = soon();
+    while (headset.lost_sets().size() < 3 && clock_.now() < deadline)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const auto lost = headset.lost_sets();
+    ASSERT_GE(lost.size(), 3U);
+    EXPECT_GE(lost[1] - lost[0], 2 * takes);
+    EXPECT_GE(lost[2] - lost[1], 5 * takes);
+}
+
 /// Nobody asked for it.
 TEST_F(Headset, IsSentNothingUnasked) {
     MockHeadset headset(bed_);

@@ -4,7 +4,9 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <map>
+#include <thread>
 
 #include "devices/bytes.h"
 #include "tests/hardware/mock_bed.h"
@@ -57,6 +59,16 @@ class MockHeadset : public IoctlNode {
         const std::lock_guard lock(mutex_);
         return sets_;
     }
+    /// From now on a report that is set runs out of time after `takes`.
+    void let_sets_run_out_of_time(std::chrono::milliseconds takes) {
+        const std::lock_guard lock(mutex_);
+        sets_take_ = takes;
+    }
+    /// When the sets that ran out of time began, each before the one after it.
+    std::vector<std::chrono::steady_clock::time_point> lost_sets() const {
+        const std::lock_guard lock(mutex_);
+        return lost_sets_;
+    }
     /// The kernel hangs the node up and takes it away. (The bed can give its name to no other one.)
     void unplug() {
         ::close(umockdev_testbed_get_dev_fd(bed_.get(), node().c_str()));
@@ -80,6 +92,11 @@ class MockHeadset : public IoctlNode {
             case _IOC_NR(HIDIOCGRDESC):
                 return umockdev_ioctl_client_complete(client, 0, 0);
             case _IOC_NR(HIDIOCSFEATURE(0)):
+                if (sets_take_ > std::chrono::milliseconds{0}) {
+                    lost_sets_.push_back(std::chrono::steady_clock::now());
+                    std::this_thread::sleep_for(sets_take_);
+                    return umockdev_ioctl_client_complete(client, -1, ETIMEDOUT);
+                }
                 sets_.push_back(read_from(data));
                 return umockdev_ioctl_client_complete(client, static_cast<glong>(size), 0);
             case _IOC_NR(HIDIOCGFEATURE(0)): {
@@ -104,6 +121,8 @@ class MockHeadset : public IoctlNode {
     mutable std::mutex mutex_;
     std::map<std::uint8_t, std::vector<std::byte>> features_;
     std::vector<std::vector<std::byte>> sets_;
+    std::chrono::milliseconds sets_take_{0};
+    std::vector<std::chrono::steady_clock::time_point> lost_sets_;
 };
 
 }  // namespace foverig::test

@@ -235,7 +235,24 @@ TEST(Dk2ImuSource, ARefusedCorrectionIsCountedNotFatal) {
     t.push(at_ms(2), InputReport1{.sample_count = 2}.encode());
     EXPECT_TRUE(std::holds_alternative<ImuSample>(source.next(at_ms(10))));
     EXPECT_TRUE(std::holds_alternative<ImuSample>(source.next(at_ms(10))));
-    EXPECT_EQ(source.control_failures(), 1u);
+    EXPECT_EQ(source.failed_requests().refused, 1u);
+}
+
+/// What a transport that leaves a silent headset alone says is no failure of the headset's.
+TEST(Dk2ImuSource, ARequestThatWasNotSentIsCountedApart) {
+    FakeTransport t;
+    Dk2ImuSource source = open(t);
+    t.refuse_sets = true;
+    for (int i = 0; i < 3; ++i) {
+        t.fault_at_end = Error{ErrorCode::closed, "unplugged"};
+        EXPECT_TRUE(std::holds_alternative<Fault>(source.next(at_ms(1000 * i))));
+        t.fault_at_end.reset();
+        t.refusal = i == 0 ? ErrorCode::io : ErrorCode::not_asked;
+        t.push(at_ms(1000 * i + 1), report(1, 1000 * (i + 1)).encode());
+        (void)source.next(at_ms(1000 * i + 2));
+    }
+    EXPECT_EQ(source.failed_requests().refused, 1u);
+    EXPECT_EQ(source.failed_requests().not_sent, 2u);
 }
 
 }  // namespace

@@ -112,7 +112,25 @@ TEST(GazeSource, TimesSamplesByExposureNotArrival) {
         EXPECT_GT(to_ms(s->arrival - s->host_time), 12);
     }
     EXPECT_EQ(source.counts().samples, 600u);
-    EXPECT_EQ(source.control_failures(), 0u);
+    EXPECT_EQ(source.failed_requests().refused, 0u);
+}
+
+/// The transport says of some that it did not even ask (devices/hardware/patience.h).
+TEST(GazeSource, CountsRequestsThatWereNotSentApart) {
+    Tracker tracker;
+    GazeSource source = tracker.open();
+    ErrorCode refusal = ErrorCode::io;
+    tracker.transport.answer_by = [&](std::uint8_t,
+                                      std::uint16_t) -> Result<std::vector<std::byte>> {
+        return Error{refusal, "refused by the test"};
+    };
+    for (int i = 1; i <= 7; ++i) {
+        tracker.clock.sleep_until(at_ms(300.0 * i));
+        (void)source.next(tracker.clock.now());
+        refusal = i < 2 ? ErrorCode::io : ErrorCode::not_asked;
+    }
+    EXPECT_EQ(source.failed_requests().refused, 2u);
+    EXPECT_EQ(source.failed_requests().not_sent, 5u);
 }
 
 TEST(GazeSource, CountsLossBySequenceAndFlagsTheGap) {

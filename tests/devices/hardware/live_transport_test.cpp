@@ -280,6 +280,20 @@ TEST(LiveTransport, AsksADeviceThatLetsRequestsRunOutOfTimeAtMostATwentiethOfThe
     EXPECT_EQ(requests_made(Nanoseconds(5'000'000'000)), 3);
 }
 
+TEST(LiveTransport, SaysOfARequestThatItDidNotSendIt) {
+    SteppedClock clock;
+    std::atomic<int> asked = 0;
+    const auto open = [&]() -> Result<std::unique_ptr<Link>> {
+        return std::unique_ptr<Link>(new SulkingLink(clock, Nanoseconds(1'000'000'000), asked));
+    };
+    const auto transport = LiveTransport::open(clock, open, {.realtime = false});
+    ASSERT_TRUE(transport);
+    EXPECT_EQ((*transport)->control_get(3, 0, 16).error().code, ErrorCode::io);
+    EXPECT_EQ((*transport)->control_get(3, 0, 16).error().code, ErrorCode::not_asked);
+    EXPECT_EQ((*transport)->control_set(3, 0, {}).error().code, ErrorCode::not_asked);
+    EXPECT_EQ(asked, 1);
+}
+
 TEST(LiveTransport, AsksADeviceThatRefusesAtOnceAgain) {
     EXPECT_GT(requests_made(Nanoseconds(1'000'000)), 380);
 }
