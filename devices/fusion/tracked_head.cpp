@@ -52,13 +52,20 @@ void TrackedHead::add(const ImuSample& sample) {
 
 void TrackedHead::add(const PoseFix& fix) {
     if (!inertial_.started()) return;
-    if (!world_from_camera_) {
-        place_camera(fix);
-    } else if (filter_.started()) {
+    if (filter_.started()) {
         correct(fix);
+    } else if (is_beyond_inertia(fix)) {
+        ++counts_.too_old;
+    } else if (!world_from_camera_) {
+        place_camera(fix);
     } else {
         begin(fix);
     }
+}
+
+/// HeadFusion is asked where the head was then, and knows no further back than this.
+bool TrackedHead::is_beyond_inertia(const PoseFix& fix) const {
+    return newest_.host_time - fix.taken > config_.inertial.max_prediction;
 }
 
 void TrackedHead::place_camera(const PoseFix& fix) {
@@ -115,6 +122,7 @@ void TrackedHead::correct(const PoseFix& fix) {
         case DelayedFilter::Verdict::unlikely:
             ++counts_.unlikely;
             if (++unlikely_in_row_ < config_.unlikely_until_restart) break;
+            if (is_beyond_inertia(fix)) break;
             ++counts_.restarts;
             begin(fix);
             break;

@@ -39,7 +39,9 @@ class TrackedHead {
 
     /// As HeadFusion's.
     void add(const ImuSample& sample);
-    /// In order of their instants, each after the samples around it.
+    /// In order of their instants, each after the samples around it. One that tracking would begin
+    /// with counts as too old beyond HeadFusionConfig::max_prediction, later ones beyond what the
+    /// filter keeps.
     void add(const PoseFix& fix);
 
     /// As HeadFusion's.
@@ -59,6 +61,7 @@ class TrackedHead {
     dvec3 gyro_bias_rad_s() const;
 
   private:
+    bool is_beyond_inertia(const PoseFix& fix) const;
     void place_camera(const PoseFix& fix);
     void begin(const PoseFix& fix);
     RigidPose sensor_by_inertia(HostTime time) const;

@@ -22,7 +22,8 @@ Troubles by_key(const GazeTroubles& tracker) {
 }
 
 Troubles by_key(const CameraTroubles& camera) {
-    return {{"frames_of_no_known_flash", camera.frames_of_no_known_flash}};
+    return {{"frames_of_no_known_flash", camera.frames_of_no_known_flash},
+            {"poses_too_old", camera.poses_too_old}};
 }
 
 }  // namespace foverig

@@ -24,6 +24,7 @@ struct GazeTroubles {
 
 struct CameraTroubles {
     std::uint64_t frames_of_no_known_flash = 0;
+    std::uint64_t poses_too_old = 0;  ///< to begin with, or for the filter
 };
 
 Troubles by_key(const HeadsetTroubles& headset);

@@ -66,7 +66,8 @@ std::optional<DeviceRecord> HeadTracker::camera_record() const {
         .name = "camera",
         .counts = counts,
         .rate_hz = sample_rate_hz(camera_->counts().tracker.poses, first_fix_, newest_fix_),
-        .troubles = by_key(CameraTroubles{.frames_of_no_known_flash = camera_->counts().unpaired})};
+        .troubles = by_key(CameraTroubles{.frames_of_no_known_flash = camera_->counts().unpaired,
+                                          .poses_too_old = fusion_.counts().too_old})};
 }
 
 DeviceRecord HeadTracker::record() const {
