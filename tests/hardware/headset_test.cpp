@@ -10,6 +10,7 @@
 #include "devices/dk2/imu_source.h"
 #include "devices/hardware/open_devices.h"
 #include "tests/devices/byte_text.h"
+#include "tests/devices/hardware/other_program.h"
 #include "tests/hardware/mock_headset.h"
 
 namespace foverig::hardware {
@@ -71,6 +72,21 @@ TEST_F(Headset, IsFoundByItsFactoryNumberToo) {
     ASSERT_TRUE(chosen) << chosen.error().text;
     EXPECT_EQ(chosen->serial, "BBBB");
     EXPECT_EQ(choose_headset("ABCDEFGHIJKX").error().code, ErrorCode::not_found);
+}
+
+/// One that another program holds is not asked its number: it may be the one that is meant.
+TEST_F(Headset, OfABusyOneIsToldInsteadOfThatNoneHasTheNumber) {
+    MockHeadset busy(bed_, 0, "AAAA"), free(bed_, 1, "BBBB");
+    busy.answer(test::copy_of(dk2::SerialReport{.serial = "MNOPQRSTUVWX"}.encode()));
+    free.answer(test::copy_of(dk2::SerialReport{.serial = "ABCDEFGHIJKL"}.encode()));
+    const test::OtherProgram other(busy.node());
+    const auto chosen = choose_headset("MNOPQRSTUVWX");
+    ASSERT_FALSE(chosen);
+    EXPECT_EQ(chosen.error().code, ErrorCode::busy) << "not_found would be simulated under auto";
+    EXPECT_NE(chosen.error().text.find(busy.node()), std::string::npos) << chosen.error().text;
+    EXPECT_EQ(open("MNOPQRSTUVWX").error().code, ErrorCode::busy);
+    EXPECT_EQ(choose_headset("ABCDEFGHIJKL")->serial, "BBBB") << "one that does answer is taken";
+    EXPECT_EQ(choose_headset("BBBB")->path, free.node());
 }
 
 TEST_F(Headset, GivesReportsByteForByteWithTheirArrival) {

@@ -68,6 +68,26 @@ TEST_F(RunFolderTest, RefusesAFolderOfSomethingElse) {
     EXPECT_EQ(text_of(root_ / "photos/cat.png"), "cat");
 }
 
+TEST_F(RunFolderTest, RescuesOfOneProcessNumberLieBesideEachOther) {
+    std::vector<fs::path> kept;
+    for (const char* text : {"first", "second", "third"}) {
+        const RunFolder folder(root_ / "run");
+        folder.write("session.mcap", text);
+        const auto place = folder.rescue("session.mcap");
+        ASSERT_TRUE(place) << text;
+        kept.push_back(*place);
+    }
+    const std::string stem = "run.failed-" + std::to_string(getpid());
+    EXPECT_EQ(kept[0], root_ / (stem + ".mcap"));
+    EXPECT_EQ(kept[1], root_ / (stem + "-2.mcap"));
+    EXPECT_EQ(kept[2], root_ / (stem + "-3.mcap"));
+    EXPECT_EQ(text_of(kept[0]), "first");
+    EXPECT_EQ(text_of(kept[1]), "second");
+    EXPECT_EQ(text_of(kept[2]), "third");
+    EXPECT_EQ(entries(), 3U);
+    EXPECT_FALSE(RunFolder(root_ / "run").rescue("session.mcap")) << "there is none";
+}
+
 TEST_F(RunFolderTest, ReplacesATextWholeOrNotAtAll) {
     write_text(root_ / "report.html", "old");
     replace_text(root_ / "report.html", "new");
