@@ -1,6 +1,9 @@
 #include "rig/session/device_streams.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "rig/failure.h"
 #include "rig/session/calibration_file.h"
@@ -90,10 +93,18 @@ std::vector<DeviceRecord> DeviceStreams::records() const {
 
 void DeviceStreams::tell(Notice notice) {
     notice_ = std::move(notice);
-    const auto problem = head_.camera_as_it_is();
-    if (notice_ && problem)
-        notice_("camera is not set up: it runs freely, with the design's lens (" + problem->text +
-                ")");
+    told_of_camera_ = false;
+    tell_of_camera();
+}
+
+/// Each time that it turns out so: a camera may come back as another than it was.
+void DeviceStreams::tell_of_camera() {
+    const Error* const problem = head_.camera_as_it_is();
+    const bool told = std::exchange(told_of_camera_, problem != nullptr);
+    if (!notice_ || problem == nullptr || told) return;
+    const char* const lens =
+        head_.camera_calibrated() ? "the lens that it told before" : "the design's lens";
+    notice_(fmt::format("camera is not set up: it runs freely, with {} ({})", lens, problem->text));
 }
 
 void DeviceStreams::run_for(Nanoseconds duration) {
@@ -106,6 +117,7 @@ void DeviceStreams::run_for(Nanoseconds duration) {
 
 void DeviceStreams::read_until(HostTime deadline) {
     head_.read_until(deadline);
+    tell_of_camera();
     gaze_.read_until(deadline);
     if (recording_ != nullptr) recording_->check();
 }

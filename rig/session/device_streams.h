@@ -24,7 +24,7 @@ class DeviceStreams {
     DeviceStreams& operator=(const DeviceStreams&) = delete;
 
     /// Hears at once of a camera that could not be set up, and from now on of each device that is
-    /// lost, and of each that is back.
+    /// lost, of each that is back, and of a camera that could be set up no more.
     void tell(Notice notice);
 
     /// Takes all that arrived until now in steps, for `duration`: clock maps and fusion settle.
@@ -40,11 +40,13 @@ class DeviceStreams {
     HeadTracker open_head(World& world);
     GazeTracker open_gaze(const Scenario& scenario, World& world);
     Transport& watched(const char* name, Transport& device);
+    void tell_of_camera();
 
     const World& world_;
     Clock& clock_;
     SessionRecording* recording_;
     Notice notice_;
+    bool told_of_camera_ = false;                      // that it is taken as it is
     std::map<std::string, WatchedTransport> watched_;  // by the devices' names
     std::optional<WorsenedGaze> worsened_gaze_;
     HeadTracker head_;

@@ -56,6 +56,12 @@ void HeadTracker::read_camera(HostTime deadline) {
     }
 }
 
+const Error* HeadTracker::camera_as_it_is() const {
+    if (!camera_) return nullptr;
+    const std::optional<Error>& problem = camera_->source().as_it_is();
+    return problem ? &*problem : nullptr;
+}
+
 std::optional<DeviceRecord> HeadTracker::camera_record() const {
     if (!camera_) return std::nullopt;
     SourceCounts counts = camera_->source().counts();

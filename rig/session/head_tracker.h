@@ -38,10 +38,10 @@ class HeadTracker {
     }
     const dk2::FactoryCalibration& calibration() const { return source_.calibration(); }
     DeviceRecord record() const;
-    /// Why the camera could not be set up; nothing where it was, and without one.
-    std::optional<Error> camera_as_it_is() const {
-        return camera_ ? camera_->source().as_it_is() : std::nullopt;
-    }
+    /// Why the camera could not be set up; null where it was, and without one.
+    const Error* camera_as_it_is() const;
+    /// Its lens is its own, as it told once, and not the design's.
+    bool camera_calibrated() const { return camera_ && camera_->source().calibrated(); }
     /// Absent without a camera.
     std::optional<DeviceRecord> camera_record() const;
 
