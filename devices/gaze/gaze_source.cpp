@@ -79,7 +79,7 @@ Result<GazeSource> GazeSource::open(Transport& transport, const Clock& clock,
         return Error{ErrorCode::unsupported,
                      fmt::format("gaze tracker speaks version {}, expected 1", info->major)};
     }
-    if ((info->rates & rate_bit(config.rate_hz)) == 0) {
+    if (config.rate_hz != 0 && (info->rates & rate_bit(config.rate_hz)) == 0) {
         return Error{ErrorCode::unsupported,
                      fmt::format("the tracker has no rate of {} Hz; expected one of its own: {}",
                                  config.rate_hz, rates_text(info->rates))};
@@ -95,7 +95,9 @@ Result<GazeSource> GazeSource::open(Transport& transport, const Clock& clock,
 Status GazeSource::set_up() {
     // A tracker left streaming by someone else would refuse a new rate.
     if (auto s = stop(); !s) return s;
-    if (auto s = transport_->control_set(request::set_rate, config_.rate_hz, {}); !s) return s;
+    if (config_.rate_hz != 0) {
+        if (auto s = transport_->control_set(request::set_rate, config_.rate_hz, {}); !s) return s;
+    }
     if (auto s = transport_->control_set(request::set_options, 0, encode_options(config_.options));
         !s)
         return s;

@@ -22,7 +22,7 @@ struct StoredCalibration {
 };
 
 struct GazeSourceConfig {
-    std::uint16_t rate_hz = 60;                      ///< 60, 120 or 250, where the device has it
+    std::uint16_t rate_hz = 60;  ///< 60, 120 or 250, where the device has it; 0: as it is set
     std::uint32_t options = option::events;          ///< SET_OPTIONS bits
     float mapping_mm = 1500;                         ///< +infinity: at the vergence distance
     std::optional<StoredCalibration> calibration{};  ///< set before each START; none: its own

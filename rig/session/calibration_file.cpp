@@ -134,12 +134,11 @@ gaze::StoredCalibration read_calibration(const std::filesystem::path& file) {
 }
 
 gaze::GazeSourceConfig gaze_config(const Scenario& scenario) {
+    if (!replayed_file(scenario).empty()) return {.rate_hz = 0};
     gaze::GazeSourceConfig config{.rate_hz =
                                       static_cast<std::uint16_t>(scenario.tracking.gaze_rate_hz)};
     const std::string& file = scenario.tracking.gaze_calibration;
-    if (!file.empty() && replayed_file(scenario).empty()) {
-        config.calibration = read_calibration(file);
-    }
+    if (!file.empty()) config.calibration = read_calibration(file);
     return config;
 }
 

@@ -25,7 +25,7 @@ nlohmann::json calibration_json(const CalibrationRecord& record);
 gaze::StoredCalibration read_calibration(const std::filesystem::path& file);
 
 /// How a scenario wants its gaze tracker set up: throws as read_calibration. A recording is given
-/// nothing: what was done to its tracker is in its bytes.
+/// no calibration and no rate: what was done to its tracker is in its bytes.
 gaze::GazeSourceConfig gaze_config(const Scenario& scenario);
 
 }  // namespace foverig

@@ -115,6 +115,13 @@ TEST(GazeSource, TimesSamplesByExposureNotArrival) {
     EXPECT_EQ(source.failed_requests().refused, 0u);
 }
 
+TEST(GazeSource, LeavesTheRateAsItIsWhereNoneIsAsked) {
+    Tracker tracker;
+    tracker.open({.rate_hz = 0});
+    EXPECT_EQ(tracker.transport.sets_of(request::set_rate), 0);
+    EXPECT_EQ(tracker.transport.sets_of(request::start), 1);
+}
+
 /// The transport says of some that it did not even ask (devices/hardware/patience.h).
 TEST(GazeSource, CountsRequestsThatWereNotSentApart) {
     Tracker tracker;

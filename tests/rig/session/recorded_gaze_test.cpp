@@ -8,12 +8,16 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "devices/gaze/requests.h"
 #include "rig/session/angles.h"
+#include "rig/session/device_streams.h"
 #include "rig/session/panel_settings.h"
 #include "rig/session/replayed_world.h"
 #include "rig/session/session.h"
 #include "rig/session/windowed_world.h"
 #include "rig/stats/centre.h"
+#include "tests/devices/recording/memory_sink.h"
+#include "tests/rig/session/altered_world.h"
 #include "tests/rig/session/fake_renderer.h"
 
 namespace foverig {
@@ -148,6 +152,85 @@ TEST_F(RecordedGazeTest, IsKnownInAWindowToo) {
     ASSERT_TRUE(world.best_known_gaze(time).has_value());
     EXPECT_EQ(windowed.best_known_gaze(time), world.best_known_gaze(time));
     EXPECT_EQ(windowed.origin("dk2"), Origin::recorded);
+}
+
+/// A tracker that has another rate than the usual one.
+class TrackerOf120Hz final : public Transport {
+  public:
+    explicit TrackerOf120Hz(Transport& device) : device_(device) {}
+    NextPacket next(HostTime deadline) override { return device_.next(deadline); }
+    Status control_set(std::uint8_t id, std::uint16_t value,
+                       std::span<const std::byte> data) override {
+        return device_.control_set(id, value, data);
+    }
+    Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
+                                               std::size_t size) override {
+        auto answer = device_.control_get(id, value, size);
+        if (id != gaze::request::get_info || !answer) return answer;
+        gaze::Info info = gaze::Info::decode(*answer).value();
+        info.rates = 0b010;
+        return to_vector(info.encode());
+    }
+
+  private:
+    Transport& device_;
+};
+
+TEST_F(RecordedGazeTest, IsReadAtTheRateThatWasRecorded) {
+    Scenario recorded_at = scenario_;
+    recorded_at.tracking.gaze_rate_hz = 120;
+    {
+        ManualClock clock;
+        test::AlteredWorld world(recorded_at, clock);
+        TrackerOf120Hz tracker(world.gaze_tracker());
+        world.gaze_instead = &tracker;
+        SessionRecording recording(file(), recorded_at);
+        DeviceStreams devices(recorded_at, world, clock, &recording);
+        devices.run_for(from_seconds(1.5));
+        EXPECT_EQ(recording.end().dropped, 0U);
+    }
+    ASSERT_EQ(replaying().tracking.gaze_rate_hz, 60);
+    EXPECT_TRUE(recorded(false).at(HostTime(from_seconds(1.0))));
+    ManualClock clock;
+    ReplayedWorld world(replaying(), clock);
+    DeviceStreams devices(replaying(), world, clock, nullptr);
+    devices.run_for(from_seconds(1.4));
+    EXPECT_NEAR(static_cast<double>(devices.gaze().record().counts.samples), 1.4 * 120.0, 4.0);
+}
+
+/// Counts what is read of the bytes behind it.
+class CountedSource final : public ByteSource {
+  public:
+    CountedSource(Bytes bytes, std::uint64_t& count) : source_(bytes), count_(count) {}
+    std::uint64_t size() const override { return source_.size(); }
+    Status read(std::uint64_t offset, std::span<std::byte> out) const override {
+        count_ += out.size();
+        return source_.read(offset, out);
+    }
+
+  private:
+    MemorySource source_;
+    std::uint64_t& count_;
+};
+
+TEST_F(RecordedGazeTest, IsReadNoFurtherThanItIsAskedFor) {
+    test::Disk disk;
+    {
+        scenario_.frames = 900;
+        SessionRecording recording(std::make_unique<test::MemorySink>(disk), scenario_);
+        run(scenario_, &recording);
+    }
+    const auto bytes = disk.bytes();
+    std::uint64_t count = 0;
+    const auto opened =
+        Recording::open(std::make_unique<CountedSource>(bytes, count), "counted").value();
+    count = 0;
+    const RecordedGaze gaze(opened, HostTime{}, false);
+    ASSERT_TRUE(gaze.at(HostTime(from_seconds(1.0))));
+    EXPECT_LT(count, bytes.size() / 2);
+    ASSERT_TRUE(gaze.at(HostTime(from_seconds(11.0))));
+    EXPECT_GT(count, bytes.size() / 2);
+    ASSERT_TRUE(gaze.at(HostTime(from_seconds(1.0)))) << "what was read is kept";
 }
 
 TEST_F(RecordedGazeTest, IsNotKnownBeforeAfterAndInLongGaps) {
