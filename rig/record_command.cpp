@@ -93,7 +93,7 @@ ExitCode record_command(const RecordRequest& request) {
     devices.tell([](const std::string& text) { fmt::print(stderr, "{}\n", text); });
     const Interrupt interrupt;
     Progress progress;
-    const HostTime end = clock.now() + from_seconds(scenario.settle_s) + duration_of(scenario);
+    const HostTime end = clock.now() + duration_of(scenario);
     while (clock.now() < end && !interrupt.requested() && !world->at_end()) {
         devices.run_for(std::min(kStep, end - clock.now()));
         progress.show(clock.now(), recording.counts());

@@ -41,7 +41,7 @@ TEST_F(ProgramRecordingTest, RecordsARunAndReplaysItToTheSamePoses) {
 TEST_F(ProgramRecordingTest, RecordsDevicesAlone) {
     const Outcome recorded = record("a.mcap");
     ASSERT_EQ(recorded.code, 0) << recorded.err;
-    EXPECT_THAT(recorded.out, HasSubstr("dk2        1499 samples, 0 lost"));
+    EXPECT_THAT(recorded.out, HasSubstr("dk2        999 samples, 0 lost"));
     EXPECT_THAT(recorded.out, HasSubstr("0 dropped"));
     const Outcome over_it = record("a.mcap");
     EXPECT_EQ(over_it.code, 2);
