@@ -2,6 +2,7 @@
 #include "devices/gaze/requests.h"
 #include "devices/dk2/calibration_reports.h"
 #include "devices/dk2/feature_reports.h"
+#include "devices/dk2/identity_reports.h"
 #include "devices/dk2/input_reports.h"
 #include "tests/kernel/drivers/desk.h"
 #include "tests/kernel/exposed.h"
@@ -31,12 +32,23 @@ void expect_feature_reports(Transport& headset) {
     expect_kept(headset, ConfigReport{.use_calibration = false, .interval = 1});
     expect_kept(headset, ConfigReport{});
     expect_kept(headset, RangeReport{.accel_g = 8, .gyro_deg_s = 500});
+    expect_kept(headset, RegisterReport{
+                             .chip = RegisterReport::Chip::lis3mdl, .address = 0x20, .payload = 7});
     expect_kept(headset, TrackingReport{.enable = true, .exposure_us = 350});
     expect_kept(headset, DisplayReport{.brightness = 77, .read_pixel = true});
     expect_kept(headset, KeepAliveMuxReport{.timeout_ms = 9000});
     expect_answer(headset, FactoryCalibrationReport{});  // 69 bytes: two packets of endpoint 0
     expect_answer(headset, DisplayInfoReport{});
     expect_answer(headset, SerialReport{0, "FOVERIGSIM01"});
+    expect_answer(headset, UuidReport{0, "FOVERIGSIM01AAAAAAAA"});
+    expect_answer(headset, MagCalibrationReport{});
+    for (const std::uint8_t stage : std::initializer_list<std::uint8_t>{0, 1})
+        expect_answer(headset, ManufacturingReport{.stage = stage});
+    for (const std::uint8_t sample : std::initializer_list<std::uint8_t>{0, 1})
+        expect_answer(
+            headset,
+            TemperatureReport{
+                .bins = 7, .samples_per_bin = 5, .sample = sample, .target_centi_c = 1500});
     expect_answer(headset, GyroOffsetReport{});
     expect_answer(headset, LensDistortionReport{});
 }
