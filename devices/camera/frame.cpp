@@ -8,6 +8,7 @@ namespace foverig::camera {
 namespace {
 
 constexpr std::size_t kLargestImage = std::size_t{64} << 20;
+constexpr std::size_t kMostPixels = kLargestImage / 2;  // of MJPG: as many as YUYV may have
 
 Error refused(const std::string& why) {
     return {ErrorCode::invalid_data, "camera frame refused: " + why};
@@ -60,7 +61,8 @@ Result<FrameHeader> decode_header(Bytes b) {
 Result<FrameHeader> decode_any_header(Bytes b) {
     const Result<FrameHeader> fields = fields_of(b);
     if (!fields || fields->format != kMjpeg) return fields ? decode_header(b) : fields;
-    if (fields->width_px == 0 || fields->height_px == 0 || fields->image_bytes == 0) {
+    const std::size_t pixels = std::size_t{fields->width_px} * fields->height_px;
+    if (pixels == 0 || pixels > kMostPixels || fields->image_bytes == 0) {
         return refused(fmt::format("{} x {} pixels of MJPG in {} bytes", fields->width_px,
                                    fields->height_px, fields->image_bytes));
     }

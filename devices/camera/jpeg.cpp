@@ -88,6 +88,7 @@ Status decode_jpeg(Bytes bytes, RgbImage& image) {
     if (jpeg.jpeg_color_space != JCS_YCbCr && jpeg.jpeg_color_space != JCS_GRAYSCALE) {
         return refused("is of a colour space that no camera sends");
     }
+    image.bytes.resize(std::size_t{3} * jpeg.image_width * jpeg.image_height);
     if (!read_rows(jpeg, errors, image.bytes.data())) {
         return refused(fmt::format("is broken ({})", errors.text));
     }

@@ -44,10 +44,10 @@ void grey_row(const std::uint8_t* grey, int width_px, std::uint8_t* rgb) {
 Status to_rgb(const FrameHeader& header, Bytes packet, RgbImage& image) {
     image.width_px = header.width_px;
     image.height_px = header.height_px;
-    const std::size_t row_bytes = std::size_t{3} * header.width_px;
-    image.bytes.resize(row_bytes * header.height_px);
     const Bytes bytes = packet.subspan(FrameHeader::kSize, header.image_bytes);
     if (header.format == kMjpeg) return decode_jpeg(bytes, image);
+    const std::size_t row_bytes = std::size_t{3} * header.width_px;
+    image.bytes.resize(row_bytes * header.height_px);
     if (header.format == kYuyv && header.width_px % 2 != 0) {
         return Error{ErrorCode::invalid_data, "camera frame refused: YUYV of an odd width"};
     }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "rig/failure.h"
@@ -89,6 +90,12 @@ std::vector<std::byte> bytes_of(const std::string& hex) {
     return bytes;
 }
 
+InputError refused(const std::string& name, const std::string& why) {
+    return InputError(fmt::format(
+        "{}: {}; expected a file that foverig calibrate wrote (tracking.gaze_calibration)", name,
+        why));
+}
+
 }  // namespace
 
 json calibration_json(const CalibrationRecord& record) {
@@ -109,28 +116,30 @@ json calibration_json(const CalibrationRecord& record) {
             {"tracker_data_hex", record.blob.empty() ? json(nullptr) : json(hex_of(record.blob))}};
 }
 
-gaze::StoredCalibration read_calibration(const std::filesystem::path& file) {
-    const auto refuse = [&](const std::string& why) {
-        throw InputError(fmt::format(
-            "{}: {}; expected a file that foverig calibrate wrote (tracking.gaze_calibration)",
-            file.string(), why));
-    };
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file)) refuse("cannot be read");
-    const json all = json::parse(stream, nullptr, false);
+gaze::StoredCalibration calibration_of(const std::string& content, const std::string& name) {
+    const auto refuse = [&](const std::string& why) { throw refused(name, why); };
+    const json all = json::parse(content, nullptr, false);
     if (!all.is_object()) refuse("is not JSON");
     if (all.contains("tracker_data_hex") && all["tracker_data_hex"].is_null())
         refuse("the tracker that it is of gives its calibration away to nobody");
-    const auto text = [&](const json& from, const char* name) {
-        if (!from.is_object() || !from.contains(name) || !from[name].is_string())
-            refuse(fmt::format("has no text {}", name));
-        return from[name].get<std::string>();
+    const auto text = [&](const json& from, const char* key) {
+        if (!from.is_object() || !from.contains(key) || !from[key].is_string())
+            refuse(fmt::format("has no text {}", key));
+        return from[key].get<std::string>();
     };
     gaze::StoredCalibration stored{.serial = text(all.value("tracker", json()), "serial"),
                                    .blob = bytes_of(text(all, "tracker_data_hex"))};
     const auto blob = gaze::CalibrationBlob::decode(stored.blob);
     if (!blob) refuse("tracker_data_hex: " + blob.error().text);
     return stored;
+}
+
+gaze::StoredCalibration read_calibration(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(file))
+        throw refused(file.string(), "cannot be read");
+    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+    return calibration_of(content, file.string());
 }
 
 gaze::GazeSourceConfig gaze_config(const Scenario& scenario) {

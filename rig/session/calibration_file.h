@@ -21,7 +21,10 @@ struct CalibrationRecord {
 
 nlohmann::json calibration_json(const CalibrationRecord& record);
 
-/// Throws InputError where the file cannot be read or holds no calibration that a tracker takes.
+/// Of a file's content. Throws InputError, which names the file, where that is no calibration that
+/// a tracker takes.
+gaze::StoredCalibration calibration_of(const std::string& content, const std::string& name);
+/// The same where the file cannot be read.
 gaze::StoredCalibration read_calibration(const std::filesystem::path& file);
 
 /// How a scenario wants its gaze tracker set up: throws as read_calibration. A recording is given

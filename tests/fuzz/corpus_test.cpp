@@ -12,6 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 namespace foverig {
 
 int fuzz_streams(const std::uint8_t* data, std::size_t size);
+int fuzz_jpeg(const std::uint8_t* data, std::size_t size);
+int fuzz_calibration(const std::uint8_t* data, std::size_t size);
 
 namespace {
 
@@ -38,6 +40,14 @@ TEST(RecordingCorpus, EveryInputGivesAnErrorOrAFileThatReadsBack) {
 
 TEST(StreamsCorpus, EveryMangledStreamGivesNumbersOrIsRefused) {
     EXPECT_GT(run_corpus("streams", fuzz_streams), 10);
+}
+
+TEST(JpegCorpus, EveryFrameGivesAWholePictureOrIsRefused) {
+    EXPECT_GT(run_corpus("jpeg", fuzz_jpeg), 10);
+}
+
+TEST(CalibrationCorpus, EveryFileGivesACalibrationOrIsRefused) {
+    EXPECT_GT(run_corpus("calibration", fuzz_calibration), 10);
 }
 
 }  // namespace

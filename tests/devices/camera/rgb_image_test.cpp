@@ -121,6 +121,18 @@ TEST(RgbImage, RefusesWhatIsNoPictureOfTheStreamsSize) {
     EXPECT_TRUE(refused({.format = kYuyv, .width_px = 3, .height_px = 1, .stride_bytes = 6}, odd));
 }
 
+/// Found by fuzzing: 900 bytes asked for 12.9 GB.
+TEST(RgbImage, TakesNoMemoryForASizeThatOnlyTheHeaderSays) {
+    FrameHeader header = kJpegHeader;
+    header.width_px = header.height_px = 5000;
+    RgbImage image;
+    const auto packet = encode_frame(header, jpeg_of_gradient(96, 64));
+    EXPECT_FALSE(to_rgb(decode_any_header(packet).value(), packet, image));
+    EXPECT_EQ(image.bytes.capacity(), 0U);
+    header.width_px = header.height_px = 65500;
+    EXPECT_FALSE(decode_any_header(encode_frame(header, jpeg_of_gradient(96, 64))));
+}
+
 TEST(AnyFrameHeader, TakesCompressedFramesThatTheTrackerRefuses) {
     const auto packet = encode_frame(kJpegHeader, std::array<std::byte, 5>{});
     EXPECT_TRUE(decode_any_header(packet));
