@@ -1,6 +1,7 @@
 #pragma once
-// The tracker camera's lens: a pinhole with Brown's distortion, as its EEPROM holds it
-// (DEVICES.md 1.8.4). Camera frame: x right, y down, z ahead; pixel (0, 0) is a pixel's centre.
+// A camera's lens: a pinhole with Brown's distortion, as the tracker camera's EEPROM holds it
+// (DEVICES.md 1.8.4) and OpenCV calibrates it. Camera frame: x right, y down, z ahead; pixel (0, 0)
+// is a pixel's centre.
 #include <optional>
 #include <vector>
 
@@ -17,8 +18,16 @@ struct Lens {
 
     /// Nothing for points behind the camera, or so far out that the distortion folds back.
     std::optional<dvec2> project(const dvec3& camera_m) const;
+    /// The inverse: the direction that falls on a pixel, with z = 1. Nothing where none does.
+    std::optional<dvec3> ray_at(const dvec2& pixel) const;
+    /// The tangent of the angle from the axis at which the distortion first folds back; infinite
+    /// where it does not.
+    double fold_tangent() const;
     bool operator==(const Lens&) const = default;
 };
+
+/// Without distortion: a field of view across the picture's width, the axis in its middle.
+Lens ideal_lens(int width_px, int height_px, double fov_deg);
 
 /// The EEPROM's calibration block. The polynomial of its CRC is not known: the CRC is not checked,
 /// and written as 0; magic, length, version and entry lengths are.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "devices/camera/any_lens.h"
 #include "devices/display/panel_timing.h"
 #include "devices/math.h"
 #include "devices/time.h"
@@ -35,12 +36,12 @@ struct EyePicture {
 inline constexpr std::array<float, 3> kNothingMet{0x1p-13F, 0x1p-12F, 0x1p-13F};
 
 /// What a camera on the headset sees, to be shown where an eye's picture met nothing. It looks as
-/// the head does, and has no distortion; what it sees lies far away.
+/// the head does; what it sees lies far away.
 struct BehindPicture {
     int width_px = 0, height_px = 0;
     std::span<const std::uint8_t> srgb;  ///< rows from the top without padding, three bytes a pixel
     bool changed = true;                 ///< it is another one than at the last draw
-    double tan_half_width = 0.0;         ///< of its field of view
+    camera::AnyLens lens;                ///< in pixels of this picture
     dquat world_from_camera{1, 0, 0, 0};  ///< when it was exposed; a head's axes
 };
 

@@ -1,6 +1,30 @@
 #include "devices/window/behind_texture.h"
 
+#include <algorithm>
+
 namespace foverig::window {
+namespace {
+
+constexpr double kFarthest = 1e6;  // nothing is hidden but what lies behind the camera
+
+BehindTexture::Lens in_shares(const camera::Lens& lens, const dvec2& size_px) {
+    return {.focal = glm::vec2(dvec2(lens.fx_px, lens.fy_px) / size_px),
+            .centre = glm::vec2((dvec2(lens.cx_px, lens.cy_px) + 0.5) / size_px),
+            .bend = {lens.k1, lens.k2, lens.k3, 0.0},
+            .tangential = {lens.p1, lens.p2},
+            .farthest = static_cast<float>(std::min(lens.fold_tangent(), kFarthest))};
+}
+
+BehindTexture::Lens in_shares(const camera::FisheyeLens& lens, const dvec2& size_px) {
+    const auto& [fx_px, fy_px, cx_px, cy_px, k] = lens.numbers();
+    return {.focal = glm::vec2(dvec2(fx_px, fy_px) / size_px),
+            .centre = glm::vec2((dvec2(cx_px, cy_px) + 0.5) / size_px),
+            .bend = {k[0], k[1], k[2], k[3]},
+            .farthest = static_cast<float>(lens.fold_rad()),
+            .fisheye = true};
+}
+
+}  // namespace
 
 BehindTexture::BehindTexture() {
     glBindTexture(GL_TEXTURE_2D, texture_.name());
@@ -11,8 +35,12 @@ BehindTexture::BehindTexture() {
 }
 
 void BehindTexture::fill(const BehindPicture& picture) {
-    half_tangents_ = {picture.tan_half_width,
-                      picture.tan_half_width * picture.height_px / picture.width_px};
+    if (told_ != picture.lens || picture.width_px != width_px_ || picture.height_px != height_px_) {
+        const dvec2 size_px(picture.width_px, picture.height_px);
+        lens_ =
+            std::visit([&](const auto& lens) { return in_shares(lens, size_px); }, picture.lens);
+        told_ = picture.lens;
+    }
     glBindTexture(GL_TEXTURE_2D, texture_.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (picture.width_px != width_px_ || picture.height_px != height_px_) {

@@ -25,7 +25,12 @@ LensPainter::Shader::Shader(GlProgram linked)
       frustum(glGetUniformLocation(program.name(), "frustum")),
       warp(glGetUniformLocation(program.name(), "rendered_from_newest")),
       behind(glGetUniformLocation(program.name(), "behind")),
-      behind_tangents(glGetUniformLocation(program.name(), "behind_tangents")),
+      behind_focal(glGetUniformLocation(program.name(), "behind_focal")),
+      behind_centre(glGetUniformLocation(program.name(), "behind_centre")),
+      behind_bend(glGetUniformLocation(program.name(), "behind_bend")),
+      behind_tangential(glGetUniformLocation(program.name(), "behind_tangential")),
+      behind_farthest(glGetUniformLocation(program.name(), "behind_farthest")),
+      behind_fisheye(glGetUniformLocation(program.name(), "behind_fisheye")),
       camera(glGetUniformLocation(program.name(), "camera_from_newest")) {}
 
 Result<LensPainter> LensPainter::make(const EyeMap& map, bool sees_through) {
@@ -90,8 +95,13 @@ void LensPainter::paint(const PanelView& view, std::size_t eyes,
         glActiveTexture(GL_TEXTURE1);
         glBindTexture(GL_TEXTURE_2D, behind_->name());
         glUniform1i(shader.behind, 1);
-        const glm::vec2 half(behind_->half_tangents());
-        glUniform2fv(shader.behind_tangents, 1, glm::value_ptr(half));
+        const BehindTexture::Lens& lens = behind_->lens();
+        glUniform2fv(shader.behind_focal, 1, glm::value_ptr(lens.focal));
+        glUniform2fv(shader.behind_centre, 1, glm::value_ptr(lens.centre));
+        glUniform4fv(shader.behind_bend, 1, glm::value_ptr(lens.bend));
+        glUniform2fv(shader.behind_tangential, 1, glm::value_ptr(lens.tangential));
+        glUniform1f(shader.behind_farthest, lens.farthest);
+        glUniform1i(shader.behind_fisheye, lens.fisheye ? 1 : 0);
     }
     glActiveTexture(GL_TEXTURE0);
     for (std::size_t i = 0; i < eyes; ++i) {

@@ -39,7 +39,8 @@ class LensPainter {
     struct Shader {
         explicit Shader(GlProgram linked);
         GlProgram program;
-        GLint turn, frustum, warp, behind, behind_tangents, camera;
+        GLint turn, frustum, warp, behind, behind_focal, behind_centre, behind_bend,
+            behind_tangential, behind_farthest, behind_fisheye, camera;
     };
     LensPainter(GlProgram program, const EyeMap& map);
     static EyeMesh uploaded(const LensMesh& mesh);

@@ -40,14 +40,35 @@ vec3 fetch(vec2 tangent) {
 // The bilinear filter by hand: texels that met nothing give their weight to the camera's picture.
 constexpr const char* kSeeingFetch = R"(
 uniform sampler2D behind;
-uniform vec2 behind_tangents;  // of half its width and height
+uniform vec2 behind_focal;  // its lens, as shares of its width and height
+uniform vec2 behind_centre;
+uniform vec4 behind_bend;
+uniform vec2 behind_tangential;
+uniform float behind_farthest;
+uniform bool behind_fisheye;
 uniform mat3 camera_from_newest;
 
+float radial(float s) {
+    vec4 k = behind_bend;
+    return 1.0 + s * (k.x + s * (k.y + s * (k.z + s * k.w)));
+}
+
 vec3 seen_behind(vec2 tangent) {
-    vec3 ray = camera_from_newest * vec3(tangent, -1.0);
-    if (ray.z >= 0.0) return vec3(0.0);
-    vec2 t = ray.xy / -ray.z / behind_tangents;
-    return textureLod(behind, vec2(0.5 + 0.5 * t.x, 0.5 - 0.5 * t.y), 0.0).rgb;
+    vec3 ray = vec3(1.0, -1.0, -1.0) * (camera_from_newest * vec3(tangent, -1.0));  // z ahead
+    vec2 bent;
+    if (behind_fisheye) {
+        float away = length(ray.xy);
+        float angle = atan(away, ray.z);
+        if (angle > behind_farthest) return vec3(0.0);
+        bent = angle * radial(angle * angle) / max(away, 1e-9) * ray.xy;
+    } else {
+        vec2 t = ray.xy / ray.z;
+        float r2 = dot(t, t);
+        if (ray.z <= 0.0 || r2 > behind_farthest * behind_farthest) return vec3(0.0);
+        vec2 p = behind_tangential;
+        bent = radial(r2) * t + 2.0 * t.x * t.y * p + p.yx * (r2 + 2.0 * t * t);
+    }
+    return textureLod(behind, behind_centre + behind_focal * bent, 0.0).rgb;
 }
 
 vec3 fetch(vec2 tangent) {

@@ -186,6 +186,11 @@ void complete_scenario(Scenario& scenario) {
         throw UsageError(
             "camera.position_m and camera.target_m belong together; expected both or neither");
     }
+    if (!scenario.see_through.distortion.empty() && !scenario.see_through.fisheye.empty()) {
+        throw UsageError(
+            "see_through.distortion and see_through.fisheye are two models of one lens; expected "
+            "one of them");
+    }
 }
 
 }  // namespace foverig

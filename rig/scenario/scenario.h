@@ -98,10 +98,13 @@ struct ReplaySettings {
 
 /// A camera on the headset whose picture a window shows where rays met nothing. Off without one.
 struct SeeThroughSettings {
-    std::string camera;        ///< sim, a node ("/dev/video0") or a USB identifier ("046d:0825")
-    double fov_deg = 60.0;     ///< horizontal
-    double latency_ms = 10.0;  ///< from the middle of an exposure to the kernel's stamp
-    int width_px = 640;        ///< the nearest that it offers is taken
+    std::string camera;           ///< sim, a node ("/dev/video0") or a USB identifier ("046d:0825")
+    double fov_deg = 60.0;        ///< horizontal; where lens_px tells nothing
+    std::vector<double> lens_px;  ///< fx, fy, cx, cy at width_px x height_px
+    std::vector<double> distortion;  ///< k1, k2, p1, p2, k3: Brown's, as OpenCV orders them
+    std::vector<double> fisheye;     ///< k1 to k4 of OpenCV's fisheye, in distortion's place
+    double latency_ms = 10.0;        ///< from the middle of an exposure to the kernel's stamp
+    int width_px = 640;              ///< the nearest that it offers is taken
     int height_px = 480;
     int rate_hz = 30;
 };

@@ -1,11 +1,9 @@
 #include "rig/session/see_through.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "devices/hardware/open_devices.h"
 #include "rig/failure.h"
 #include "rig/session/device_rate.h"
+#include "rig/session/see_through_lens.h"
 #include "simulators/camera/room_camera.h"
 
 namespace foverig {
@@ -19,7 +17,9 @@ std::unique_ptr<Transport> open_room(const Scenario& scenario, World& world, Clo
     const auto on_head = [&world](HostTime t) {
         return RigidPose{world.true_head(t).value_or(dquat(1, 0, 0, 0)), dvec3(0.0)};
     };
-    return std::make_unique<RoomCamera>(clock, on_head, scenario.see_through.fov_deg);
+    return std::make_unique<RoomCamera>(
+        clock, on_head,
+        lens_of(scenario.see_through, RoomCamera::kWidth_px, RoomCamera::kHeight_px));
 }
 
 std::unique_ptr<Transport> open_camera(const Scenario& scenario, const Clock& clock) {
@@ -64,13 +64,13 @@ std::optional<BehindPicture> SeeThrough::picture(HostTime now, const HeadTracker
             before_first_ = camera_.counts().samples - 1;
         }
         world_from_camera_ = head.predict(exposed).world_from_head;
+        lens_ = lens_of(settings_, image->width_px, image->height_px);
     }
-    constexpr double kRad = std::numbers::pi / 180.0;
     return BehindPicture{.width_px = image->width_px,
                          .height_px = image->height_px,
                          .srgb = image->bytes,
                          .changed = changed,
-                         .tan_half_width = std::tan(0.5 * kRad * settings_.fov_deg),
+                         .lens = lens_,
                          .world_from_camera = world_from_camera_};
 }
 

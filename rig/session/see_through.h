@@ -33,6 +33,7 @@ class SeeThrough {
     std::optional<SampleInstants> instants_;
     std::optional<HostTime> first_;   // shown, and ...
     std::uint64_t before_first_ = 0;  // ... how many came before it
+    camera::AnyLens lens_;            // of the picture
     dquat world_from_camera_{1.0, 0.0, 0.0, 0.0};
 };
 

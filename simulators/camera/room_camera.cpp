@@ -16,10 +16,10 @@ Error no_controls() {
 
 }  // namespace
 
-RoomCamera::RoomCamera(Clock& clock, Pose world_from_camera, double fov_deg)
+RoomCamera::RoomCamera(Clock& clock, Pose world_from_camera, const camera::AnyLens& lens)
     : clock_(clock),
       world_from_camera_(std::move(world_from_camera)),
-      view_(kWidth_px, kHeight_px, fov_deg),
+      view_(kWidth_px, kHeight_px, lens),
       start_(clock.now()) {}
 
 HostTime RoomCamera::arrival() const {

@@ -18,7 +18,7 @@ class RoomCamera final : public Transport {
 
     /// The pose of the camera in the room. `clock` outlives the camera.
     using Pose = std::function<RigidPose(HostTime)>;
-    RoomCamera(Clock& clock, Pose world_from_camera, double fov_deg);
+    RoomCamera(Clock& clock, Pose world_from_camera, const camera::AnyLens& lens);
 
     NextPacket next(HostTime deadline) override;
     Status control_set(std::uint8_t id, std::uint16_t value,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
 #include "devices/bytes.h"
 
@@ -67,24 +66,60 @@ std::size_t met(const vec3f& from_m, const vec3f& along) {
     return 2 * wall + static_cast<std::size_t>((u ^ v) & 1);
 }
 
+bool bends(const camera::Lens& lens) {
+    return lens.k1 != 0 || lens.k2 != 0 || lens.k3 != 0 || lens.p1 != 0 || lens.p2 != 0;
+}
+
 }  // namespace
 
-RoomView::RoomView(int width_px, int height_px, double fov_deg)
-    : width_px_(width_px),
-      height_px_(height_px),
-      tan_half_(std::tan(0.5 * fov_deg * std::numbers::pi / 180.0)) {}
+RoomView::RoomView(int width_px, int height_px, const camera::AnyLens& lens)
+    : width_px_(width_px), height_px_(height_px) {
+    const auto* brown = std::get_if<camera::Lens>(&lens);
+    if (brown != nullptr && !bends(*brown)) {
+        straight_ = *brown;
+        return;
+    }
+    for (int y = 0; y < height_px_; ++y) {
+        for (int x = 0; x < width_px_; x += 2) {
+            const auto ray = std::visit(
+                [&](const auto& l) {
+                    return l.ray_at({x + 0.5, y});
+                },
+                lens);
+            rays_.push_back(ray ? vec3f(dvec3(ray->x, -ray->y, -ray->z)) : vec3f(0.0F));
+        }
+    }
+}
+
+void RoomView::render_bent(const RigidPose& world_from_camera, std::span<std::byte> yuyv) const {
+    const Paints& all = palette();
+    const std::array<std::byte, 4> black = yuyv_of(dvec3(0.0));
+    const vec3f from_m(world_from_camera.translation_m);
+    const glm::mat3 axes(glm::mat3_cast(world_from_camera.rotation));
+    std::byte* out = yuyv.data();
+    for (const vec3f& ray : rays_) {
+        const bool sees = ray != vec3f(0.0F);
+        std::memcpy(out, sees ? all[met(from_m, axes * ray)].data() : black.data(), 4);
+        out += 4;
+    }
+}
 
 void RoomView::render(const RigidPose& world_from_camera, std::span<std::byte> yuyv) const {
+    if (!rays_.empty()) {
+        render_bent(world_from_camera, yuyv);
+        return;
+    }
     const Paints& all = palette();
     const vec3f from_m(world_from_camera.translation_m);
     const dmat3 axes = glm::mat3_cast(world_from_camera.rotation);
-    const double scale = 2.0 * tan_half_ / width_px_;
-    const vec3f right(axes[0] * scale), up(axes[1] * scale), ahead(-axes[2]);
+    const vec3f right(axes[0] / straight_.fx_px), up(axes[1] / straight_.fy_px), ahead(-axes[2]);
+    const float middle_x = static_cast<float>(straight_.cx_px),
+                middle_y = static_cast<float>(straight_.cy_px);
     std::byte* out = yuyv.data();
     for (int y = 0; y < height_px_; ++y) {
-        const vec3f row = ahead + (0.5F * static_cast<float>(height_px_ - 1 - 2 * y)) * up;
+        const vec3f row = ahead + (middle_y - static_cast<float>(y)) * up;
         const auto at = [&](int x) {  // of the pair that begins there: it shares light and colour
-            return met(from_m, row + (0.5F * static_cast<float>(2 * x + 2 - width_px_)) * right);
+            return met(from_m, row + (static_cast<float>(x) + 0.5F - middle_x) * right);
         };
         // No tile is as narrow as a stretch, but for very wide lenses.
         for (int x = 0; x < width_px_; x += kStretch_px) {

@@ -42,8 +42,11 @@ struct Gradient {
         }
     }
     BehindPicture view() const {
-        return {
-            .width_px = kSize_px, .height_px = kSize_px, .srgb = rgb, .tan_half_width = kTanHalf};
+        const double fov_deg = glm::degrees(2.0 * std::atan(kTanHalf));
+        return {.width_px = kSize_px,
+                .height_px = kSize_px,
+                .srgb = rgb,
+                .lens = camera::ideal_lens(kSize_px, kSize_px, fov_deg)};
     }
     /// The level at a tangent: of pixel centres.
     static double level(double tangent) { return 128.0 * (tangent / kTanHalf + 1.0) - 0.5; }
@@ -61,9 +64,13 @@ class SeeThroughTest : public test::OnADesktop {
     }
     Shot painted(const Image& eye, const dquat& newest = {1, 0, 0, 0},
                  const dquat& rendered = {1, 0, 0, 0}) {
+        return painted(eye, camera_.view(), newest, rendered);
+    }
+    Shot painted(const Image& eye, const BehindPicture& behind, const dquat& newest = {1, 0, 0, 0},
+                 const dquat& rendered = {1, 0, 0, 0}) {
         painter_->fill(Eye::left, HalfPicture(eye).view());
         painter_->fill(Eye::right, HalfPicture(eye).view());
-        painter_->fill(camera_.view());
+        painter_->fill(behind);
         const dmat3 warp = glm::mat3_cast(glm::conjugate(rendered) * newest);
         const dmat3 turned = glm::mat3_cast(newest);  // the camera looked straight ahead
         painter_->paint(kPanel, 2, {warp, warp}, std::array{turned, turned});
@@ -95,6 +102,58 @@ TEST_F(SeeThroughTest, ShowsTheCameraWhereNothingWasMet) {
     const Shot shot = painted(nothing());
     test::keep(shot, "see_through");
     for (const dvec3& d : kDirections) expect_camera(shot, place_px(d), d);
+}
+
+// Lens::project is held to OpenCV's in its own test. Beyond the fold (1.05 here) nothing is seen.
+TEST_F(SeeThroughTest, ALensPutsEachDirectionWhereItSeesIt) {
+    const camera::Lens lens{.fx_px = 150.0,
+                            .fy_px = 140.0,
+                            .cx_px = 120.0,
+                            .cy_px = 134.0,
+                            .k1 = -0.3,
+                            .p1 = 0.004,
+                            .p2 = -0.003};
+    BehindPicture behind = camera_.view();
+    behind.lens = lens;
+    const Shot shot = painted(nothing(), behind);
+    test::keep(shot, "see_through_lens");
+    for (const dvec3& d : kDirections) {
+        const dvec2 at = place_px(d);
+        const std::uint8_t* p = shot.at(static_cast<int>(at.x), static_cast<int>(at.y));
+        const dvec2 seen = lens.project({d.x, -d.y, -d.z}).value();
+        EXPECT_NEAR(p[0], seen.x, 3.0);
+        EXPECT_NEAR(p[1], 255.0 - seen.y, 3.0);
+        EXPECT_GT(
+            std::abs(seen.x - Gradient::level(d.x)) + std::abs(seen.y - Gradient::level(-d.y)), 6.0)
+            << "another lens would show";
+    }
+    const dquat aside = glm::angleAxis(glm::radians(50.0), kUp);
+    const dvec2 at = place_px({0.0, 0.0, -1.0});
+    const Shot beyond = painted(nothing(), behind, aside, aside);
+    EXPECT_LE(beyond.at(static_cast<int>(at.x), static_cast<int>(at.y))[2], 1);
+}
+
+// FisheyeLens::project is held to OpenCV's in its own test.
+TEST_F(SeeThroughTest, AFisheyeIsSeenBesideTheCameraToo) {
+    const camera::FisheyeLens lens({.fx_px = 68.0,
+                                    .fy_px = 66.0,
+                                    .cx_px = 125.0,
+                                    .cy_px = 130.0,
+                                    .k = {-0.02, 0.004, -0.001, 0.0002}});
+    BehindPicture behind = camera_.view();
+    behind.lens = lens;
+    for (const double turned_deg : {0.0, 40.0, 75.0}) {
+        const dquat head = glm::angleAxis(glm::radians(turned_deg), kUp);
+        const Shot shot = painted(nothing(), behind, head, head);
+        if (turned_deg == 75.0) test::keep(shot, "see_through_fisheye");
+        for (const dvec3& now : kDirections) {
+            const dvec3 d = head * now;  // in the camera's axes; behind its plane in part
+            const dvec2 at = place_px(now), seen = lens.project({d.x, -d.y, -d.z}).value();
+            const std::uint8_t* p = shot.at(static_cast<int>(at.x), static_cast<int>(at.y));
+            EXPECT_NEAR(p[0], seen.x, 3.0) << turned_deg;
+            EXPECT_NEAR(p[1], 255.0 - seen.y, 3.0) << turned_deg;
+        }
+    }
 }
 
 TEST_F(SeeThroughTest, StandsStillInTheWorldWhileTheHeadTurns) {

@@ -42,7 +42,7 @@ RigidPose turning(double seconds) {
 /// the virtual machine takes longer for one than a frame lasts.
 std::vector<std::vector<std::byte>> jpegs_of_room() {
     constexpr int kWidth_px = RoomCamera::kWidth_px, kHeight_px = RoomCamera::kHeight_px;
-    const RoomView view(kWidth_px, kHeight_px, 60.0);
+    const RoomView view(kWidth_px, kHeight_px, camera::ideal_lens(kWidth_px, kHeight_px, 60.0));
     std::vector<std::byte> yuyv(std::size_t{2} * kWidth_px * kHeight_px);
     camera::RgbImage rgb;
     std::vector<std::vector<std::byte>> jpegs;
@@ -65,7 +65,8 @@ class RememberedRoom final : public Transport {
     RememberedRoom(Clock& clock, bool jpeg)
         : jpegs_(jpeg ? jpegs_of_room() : std::vector<std::vector<std::byte>>{}),
           room_(
-              clock, [](HostTime t) { return turning(to_seconds(t.time_since_epoch())); }, 60.0) {}
+              clock, [](HostTime t) { return turning(to_seconds(t.time_since_epoch())); },
+              camera::ideal_lens(RoomCamera::kWidth_px, RoomCamera::kHeight_px, 60.0)) {}
 
     NextPacket next(HostTime deadline) override {
         NextPacket got = room_.next(deadline);

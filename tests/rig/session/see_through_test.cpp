@@ -7,7 +7,9 @@
 #include "rig/live/live_window.h"
 #include "rig/open_scene.h"
 #include "rig/scenario/keys.h"
+#include "rig/scenario/parse.h"
 #include "rig/session/device_streams.h"
+#include "rig/session/see_through_lens.h"
 
 namespace foverig {
 namespace {
@@ -40,7 +42,7 @@ TEST(SeeThrough, ShowsTheNewestPictureOfTheHeadAsItWas) {
     EXPECT_TRUE(seen->changed);
     EXPECT_EQ(seen->width_px, 640);
     EXPECT_EQ(seen->srgb.size(), 640u * 480u * 3u);
-    EXPECT_NEAR(seen->tan_half_width, std::tan(glm::radians(30.0)), 1e-12);
+    EXPECT_EQ(std::get<camera::Lens>(seen->lens), camera::ideal_lens(640, 480, 60.0));
     // The newest frame arrived at most a thirtieth of a second ago, 35 ms after its exposure.
     const double age_ms = to_ms(clock.now() - camera->instants()->taken);
     EXPECT_GE(age_ms, 35.0);
@@ -63,6 +65,65 @@ TEST(SeeThrough, ACameraThatIsNotThereIsSaid) {
     s.see_through.camera = "/nowhere/video7";
     const auto world = make_world(s, clock);
     EXPECT_THROW(SeeThrough::open(s, *world, clock), DeviceError);
+}
+
+TEST(SeeThrough, ALensIsThatOfTheSizeThatIsAskedForInProportion) {
+    SeeThroughSettings s;
+    s.lens_px = {500.0, 510.0, 330.0, 250.0};
+    s.distortion = {-0.3, 0.1, 0.001, -0.002, -0.01};
+    const camera::Lens asked{500.0, 510.0, 330.0, 250.0, -0.3, 0.1, 0.001, -0.002, -0.01};
+    EXPECT_EQ(std::get<camera::Lens>(lens_of(s, 640, 480)), asked);
+    const auto half = std::get<camera::Lens>(lens_of(s, 320, 240));
+    // A direction falls on the same place of the picture.
+    const dvec3 ahead(0.2, -0.1, 1.0);
+    const dvec2 whole_px = asked.project(ahead).value(), half_px = half.project(ahead).value();
+    EXPECT_NEAR((half_px.x + 0.5) / 320, (whole_px.x + 0.5) / 640, 1e-12);
+    EXPECT_NEAR((half_px.y + 0.5) / 240, (whole_px.y + 0.5) / 480, 1e-12);
+}
+
+TEST(SeeThrough, AFisheyeIsOneWhereItIsCalibratedAsOne) {
+    SeeThroughSettings s;
+    s.fisheye = {0.0, 0.0, 0.0, 0.0};
+    s.fov_deg = 160.0;
+    // The edges of the picture, half a pixel beyond the centres of the outermost, are 160 apart.
+    const auto ideal = std::get<camera::FisheyeLens>(lens_of(s, 640, 480));
+    const dvec3 left = ideal.ray_at({-0.5, 239.5}).value();
+    EXPECT_NEAR(glm::degrees(std::atan2(-left.x, left.z)), 80.0, 1e-9);
+    s.fisheye = {-0.01, 0.02, -0.003, 0.0004};
+    s.lens_px = {300.0, 310.0, 330.0, 250.0};
+    const camera::FisheyeLens::Numbers whole{
+        300.0, 310.0, 330.0, 250.0, {-0.01, 0.02, -0.003, 4e-4}};
+    EXPECT_EQ(std::get<camera::FisheyeLens>(lens_of(s, 640, 480)).numbers(), whole);
+}
+
+TEST(SeeThrough, ALensHasOneModel) {
+    Scenario s;
+    s.see_through.distortion = {-0.3, 0.1, 0.0, 0.0, 0.0};
+    EXPECT_NO_THROW(complete_scenario(s));
+    s.see_through.fisheye = {0.0, 0.0, 0.0, 0.0};
+    EXPECT_THROW(complete_scenario(s), UsageError);
+}
+
+TEST(SeeThrough, LensKeysTakeAllTheirNumbersOrNone) {
+    Scenario s;
+    const Key* lens = find_key("see_through.lens_px");
+    const Key* bend = find_key("see_through.distortion");
+    const Key* fisheye = find_key("see_through.fisheye");
+    ASSERT_TRUE(lens != nullptr && bend != nullptr && fisheye != nullptr);
+    using Numbers = std::vector<double>;
+    EXPECT_FALSE(lens->set(s, KeyValue(Numbers{500, 500, 320, 240})));
+    EXPECT_FALSE(bend->set(s, KeyValue(Numbers{-0.3, 0.1, 0, 0, 0})));
+    EXPECT_EQ(s.see_through.lens_px.size(), 4u);
+    for (const Numbers& bad : {Numbers{500}, Numbers{0, 500, 320, 240}, Numbers(8, 500.0),
+                               Numbers{500, 500, 320, std::nan("")}})
+        EXPECT_TRUE(lens->set(s, KeyValue(bad)));
+    for (const Numbers& bad : {Numbers{-0.3}, Numbers(10, 0.0)})
+        EXPECT_TRUE(bend->set(s, KeyValue(bad)));
+    EXPECT_TRUE(bend->set(s, KeyValue(Numbers{-0.3, 0.1, 0, 0}))) << "a fisheye has four";
+    EXPECT_FALSE(fisheye->set(s, KeyValue(Numbers{-0.01, 0.02, 0, 0})));
+    EXPECT_TRUE(fisheye->set(s, KeyValue(Numbers{-0.3, 0.1, 0, 0, 0})));
+    EXPECT_FALSE(lens->set(s, KeyValue(Numbers{})));
+    EXPECT_TRUE(s.see_through.lens_px.empty());
 }
 
 TEST(SeeThrough, NeedsAWindow) {

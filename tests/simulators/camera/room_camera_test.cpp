@@ -24,14 +24,18 @@ Rgb pixel(const camera::RgbImage& image, int x, int y) {
     return {p[0], p[1], p[2]};
 }
 
-camera::RgbImage seen(const dquat& world_from_camera, double fov_deg = 60.0) {
+camera::Lens usual(double fov_deg = 60.0) {
+    return camera::ideal_lens(RoomCamera::kWidth_px, RoomCamera::kHeight_px, fov_deg);
+}
+
+camera::RgbImage seen(const dquat& world_from_camera, const camera::AnyLens& lens = usual()) {
     ManualClock clock;
     RoomCamera room(
         clock,
         [&](HostTime) {
             return RigidPose{world_from_camera, dvec3(0)};
         },
-        fov_deg);
+        lens);
     camera::VideoCamera camera(room);
     clock.sleep_until(at_s(0.1));
     EXPECT_TRUE(camera.read_until(clock.now()));
@@ -54,7 +58,7 @@ TEST(RoomCamera, HasAFrameEachThirtiethOfASecondOfTheTimeBefore) {
             exposed.push_back(t);
             return RigidPose{};
         },
-        60.0);
+        usual());
     std::uint32_t frames = 0;
     while (true) {
         const auto next = room.next(at_s(2.0));
@@ -84,7 +88,7 @@ TEST(RoomCamera, EachWallHasItsColour) {
 /// sixths.
 TEST(RoomCamera, TilesLieWhereTheFieldOfViewPutsThem) {
     for (const double fov_deg : {50.0, 80.0}) {
-        const camera::RgbImage image = seen(turned_left(0), fov_deg);
+        const camera::RgbImage image = seen(turned_left(0), usual(fov_deg));
         const double px = 320.0 / std::tan(glm::radians(0.5 * fov_deg));
         for (int edge = -1; edge <= 1; ++edge) {
             const int x = static_cast<int>(std::lround(320.0 + px * edge / 6.0));
@@ -92,6 +96,38 @@ TEST(RoomCamera, TilesLieWhereTheFieldOfViewPutsThem) {
             EXPECT_EQ(pixel(image, x + 3, 230), pixel(image, x + 9, 230));
         }
     }
+}
+
+// The same edges where the lens projects them, which is held to OpenCV's in its own test.
+TEST(RoomCamera, ALensBendsThem) {
+    const camera::Lens lens{400.0, 410.0, 300.0, 230.0, -0.25, 0.05, 0.002, -0.001, 0.0};
+    const camera::RgbImage image = seen(turned_left(0), lens);
+    for (int edge = -3; edge <= 3; ++edge) {
+        const double at = lens.project({edge / 6.0, 0.02, 1.0}).value().x;
+        const int x = static_cast<int>(std::lround(at)), y = 238;
+        EXPECT_GT(std::abs(pixel(image, x - 3, y)[1] - pixel(image, x + 3, y)[1]), 40) << edge;
+        EXPECT_EQ(pixel(image, x + 3, y), pixel(image, x + 9, y)) << edge;
+    }
+}
+
+// A quarter turn aside lies at the angle's place, where a pinhole has none; the wall's edge at
+// 45 degrees. Beyond the picture of the sphere there is nothing.
+TEST(RoomCamera, AFisheyeSeesTheWallsBesideIt) {
+    const double degree_px = 2.0;
+    const camera::FisheyeLens lens({.fx_px = degree_px / glm::radians(1.0),
+                                    .fy_px = degree_px / glm::radians(1.0),
+                                    .cx_px = 319.5,
+                                    .cy_px = 239.5});
+    const camera::RgbImage image = seen(turned_left(0), lens);
+    const Rgb right = pixel(image, 319 + 180, 236), corner = pixel(image, 319 + 94, 236);
+    EXPECT_GT(right[2], right[0]) << "blue";
+    EXPECT_GT(corner[2], corner[0]) << "blue just beyond the edge";
+    const Rgb ahead = pixel(image, 319 + 86, 236), left = pixel(image, 319 - 180, 236);
+    EXPECT_GT(ahead[1], ahead[2]) << "green just before it";
+    EXPECT_GT(left[0], left[2]) << "red";
+    const camera::FisheyeLens narrow({.fx_px = 50, .fy_px = 50, .cx_px = 319.5, .cy_px = 239.5});
+    for (const int level : pixel(seen(turned_left(0), narrow), 319 + 200, 239))
+        EXPECT_LE(level, 2) << "200 px of 50 a radian are more than half a turn";
 }
 
 }  // namespace
