@@ -80,6 +80,7 @@ auto opened_or_removed(const fs::path& file, Open open) {
 ExitCode record_command(const RecordRequest& request) {
     const Scenario& scenario = request.scenario;
     require_devices(scenario);
+    require_see_through(scenario);
     const fs::path file = place_of(request);
     RunClock clock(scenario.clock, Cost{}, replay_speed(scenario));
     const auto world = make_world(scenario, clock.clock());
@@ -87,7 +88,8 @@ ExitCode record_command(const RecordRequest& request) {
     if (!sink) throw UsageError("--out " + sink.error().text);
     SessionRecording recording(std::make_unique<FileSink>(std::move(sink).value()), scenario);
     const auto opened = opened_or_removed(file, [&] {
-        return std::make_unique<DeviceStreams>(scenario, *world, clock.clock(), &recording);
+        return std::make_unique<DeviceStreams>(scenario, *world, clock.clock(), &recording,
+                                               DeviceStreams::SeesThrough::where_asked);
     });
     DeviceStreams& devices = *opened;
     devices.tell([](const std::string& text) { fmt::print(stderr, "{}\n", text); });

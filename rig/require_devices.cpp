@@ -44,4 +44,13 @@ void require_devices(const Scenario& scenario) {
     if (scenario.devices == "hardware") require_hardware(scenario);
 }
 
+void require_see_through(const Scenario& scenario) {
+    const SeeThroughSettings& asked = scenario.see_through;
+    const bool on_desk =
+        !asked.camera.empty() && asked.camera != "sim" && replayed_file(scenario).empty();
+    if (!on_desk || scenario.clock == "wall") return;
+    throw UsageError("see_through.camera = " + asked.camera + " and clock = " + scenario.clock +
+                     ": a camera on a desk runs in real time; add --clock wall");
+}
+
 }  // namespace foverig

@@ -159,6 +159,7 @@ ExitCode run_command(const RunRequest& request) {
     const Scenario& scenario = request.scenario;
     refuse_unknown_keys(request.checks, scenario);
     require_devices(scenario);
+    require_see_through(scenario);
     const Interrupt interrupt;
     const auto live = LiveWindow::open(scenario);
     if (live) fmt::print(stderr, "{}: Escape ends the run, H shows the HUD\n", live->shown_on());

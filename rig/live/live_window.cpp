@@ -16,7 +16,7 @@ std::unique_ptr<LiveWindow> LiveWindow::open(const Scenario& scenario) {
         if (!sees_through) return nullptr;
         throw UsageError("see_through.camera = " + scenario.see_through.camera +
                          " and display.kind = virtual: only a window shows a camera's picture; add "
-                         "--display window");
+                         "--display window, or --set see_through.camera= to go without");
     }
     auto opened = open_window(scenario, "foverig: " + scenario.scene);
     auto painter = window_or_throw(

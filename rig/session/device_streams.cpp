@@ -40,12 +40,13 @@ auto opened_of(const World& world, Open open) {
 }  // namespace
 
 DeviceStreams::DeviceStreams(const Scenario& scenario, World& world, Clock& clock,
-                             SessionRecording* recording)
+                             SessionRecording* recording, SeesThrough sees_through)
     : world_(world),
       clock_(clock),
       recording_(recording),
       head_(opened_of(world, [&] { return open_head(world); })),
       gaze_(opened_of(world, [&] { return open_gaze(scenario, world); })) {
+    if (sees_through == SeesThrough::where_asked) open_see_through(scenario, world);
     if (recording_ == nullptr) return;
     recording_->calibration(head_.calibration());
     recording_->calibration(gaze_.info());
@@ -80,9 +81,22 @@ GazeTracker DeviceStreams::open_gaze(const Scenario& scenario, World& world) {
     return {*tracker, clock_, sample_log<GazeSample>(recording_), gaze_config(scenario)};
 }
 
+void DeviceStreams::open_see_through(const Scenario& scenario, World& world) {
+    Transport* camera = world.see_through_camera();
+    if (camera == nullptr) return;
+    const char* name = "see_through";
+    camera = &watched_.try_emplace(name, *camera, name, clock_, notice_, "nothing is seen through")
+                  .first->second;
+    if (recording_ != nullptr)
+        camera =
+            &recording_->see_through_camera(*camera, clock_, first_origin(world, "see_through"));
+    see_through_.emplace(scenario.see_through, *camera);
+}
+
 std::vector<DeviceRecord> DeviceStreams::records() const {
     std::vector<DeviceRecord> records{head_.record(), gaze_.record()};
     if (const auto camera = head_.camera_record()) records.push_back(*camera);
+    if (see_through_) records.push_back(see_through_->record());
     for (DeviceRecord& record : records) {
         record.outages = watched_.at(record.name).outages();
         record.origin = world_.origin(record.name);
@@ -119,6 +133,7 @@ void DeviceStreams::read_until(HostTime deadline) {
     head_.read_until(deadline);
     tell_of_camera();
     gaze_.read_until(deadline);
+    if (see_through_) see_through_->read_until(deadline);
     if (recording_ != nullptr) recording_->check();
 }
 

@@ -5,6 +5,7 @@
 
 #include "rig/session/gaze_tracker.h"
 #include "rig/session/head_tracker.h"
+#include "rig/session/see_through.h"
 #include "rig/session/session_recording.h"
 #include "rig/session/watched_transport.h"
 #include "rig/session/world.h"
@@ -14,11 +15,14 @@ namespace foverig {
 
 class DeviceStreams {
   public:
+    /// A see-through camera is opened only for those who show or record its frames.
+    enum class SeesThrough { no, where_asked };
+
     /// Opens the devices as `scenario` asks; throws DeviceError where one does not answer.
     /// `recording` may be null; world, clock and recording outlive this. A recording holds what the
     /// gaze tracker sent, not what the scenario made worse of it.
-    DeviceStreams(const Scenario& scenario, World& world, Clock& clock,
-                  SessionRecording* recording);
+    DeviceStreams(const Scenario& scenario, World& world, Clock& clock, SessionRecording* recording,
+                  SeesThrough sees_through = SeesThrough::no);
 
     DeviceStreams(const DeviceStreams&) = delete;
     DeviceStreams& operator=(const DeviceStreams&) = delete;
@@ -34,11 +38,14 @@ class DeviceStreams {
 
     HeadTracker& head() { return head_; }
     const GazeTracker& gaze() const { return gaze_; }
+    /// Null: none.
+    SeeThrough* see_through() { return see_through_ ? &*see_through_ : nullptr; }
     std::vector<DeviceRecord> records() const;
 
   private:
     HeadTracker open_head(World& world);
     GazeTracker open_gaze(const Scenario& scenario, World& world);
+    void open_see_through(const Scenario& scenario, World& world);
     Transport& watched(const char* name, Transport& device);
     void tell_of_camera();
 
@@ -51,6 +58,7 @@ class DeviceStreams {
     std::optional<WorsenedGaze> worsened_gaze_;
     HeadTracker head_;
     GazeTracker gaze_;
+    std::optional<SeeThrough> see_through_;
 };
 
 }  // namespace foverig

@@ -22,6 +22,7 @@ std::unique_ptr<hardware::LiveTransport> open_or_null(const std::string& choice,
 HardwareWorld::HardwareWorld(const Scenario& scenario, Clock& clock,
                              const motion::EyeMotion* pointed_eyes)
     : stand_ins_(scenario, clock, pointed_eyes),
+      simulated_see_through_(scenario.see_through.camera == "sim"),
       headset_(open_or_null(
           scenario.hardware.head,
           [&] { return hardware::open_headset(clock, scenario.hardware.head_serial); })),
@@ -40,6 +41,14 @@ HardwareWorld::HardwareWorld(const Scenario& scenario, Clock& clock,
 Transport* HardwareWorld::tracker_camera() {
     if (camera_) return camera_.get();
     return headset_ ? nullptr : stand_ins_.tracker_camera();
+}
+
+Transport* HardwareWorld::see_through_camera() {
+    if (headset_ && simulated_see_through_)
+        throw UsageError(
+            "see_through.camera = sim: a simulated camera sits on a simulated head; name a camera "
+            "of the desk (foverig devices)");
+    return stand_ins_.see_through_camera();
 }
 
 Transport& HardwareWorld::headset() {
@@ -63,6 +72,7 @@ std::optional<std::array<dvec3, 2>> HardwareWorld::true_gaze(HostTime time) cons
 }
 
 Origin HardwareWorld::origin(std::string_view device) const {
+    if (device == "see_through") return stand_ins_.origin(device);
     const auto& real = device == "dk2" ? headset_ : device == "gaze" ? gaze_tracker_ : camera_;
     return real ? Origin::hardware : Origin::simulated;
 }

@@ -17,6 +17,7 @@ class HardwareWorld final : public World {
     Transport& gaze_tracker() override;
     Display& display() override { return stand_ins_.display(); }
     Transport* tracker_camera() override;
+    Transport* see_through_camera() override;
 
     double initial_yaw_rad() const override;
     std::optional<dquat> true_head(HostTime time) const override;
@@ -28,6 +29,7 @@ class HardwareWorld final : public World {
 
   private:
     SimulatedWorld stand_ins_;
+    bool simulated_see_through_;
     std::unique_ptr<hardware::LiveTransport> headset_, gaze_tracker_, camera_;  // null: simulated
 };
 

@@ -45,7 +45,10 @@ double yaw_of(const Recording& recording) {
 }  // namespace
 
 ReplayedWorld::ReplayedWorld(const Scenario& scenario, Clock& clock)
-    : recording_(opened(replayed_file(scenario))),
+    : clock_(clock),
+      sees_through_(!scenario.see_through.camera.empty()),
+      loop_(scenario.replay.loop),
+      recording_(opened(replayed_file(scenario))),
       initial_yaw_rad_(yaw_of(recording_)),
       recorded_gaze_(recording_, clock.now(), scenario.replay.loop),
       panel_(panel_settings(scenario, clock.now())),
@@ -56,22 +59,37 @@ ReplayedWorld::ReplayedWorld(const Scenario& scenario, Clock& clock)
       gaze_tracker_(recording_, "gaze", clock,
                     {.loop = scenario.replay.loop, .momentary_request = gaze::request::get_time}) {
     if (!scenario.tracking.camera) return;
-    if (!recording_.has("camera")) {
-        throw InputError(
-            fmt::format("{}: holds no frames of a tracker camera; expected tracking.camera = false",
-                        recording_.name()));
-    }
+    require("camera", "a tracker camera", "tracking.camera = false");
     camera_.emplace(recording_, "camera", clock,
                     ReplayedDevice::Settings{.loop = scenario.replay.loop,
                                              .successive_requests = camera::request_selectors()});
 }
 
-bool ReplayedWorld::at_end() const {
-    for (const ReplayedDevice* device : {&headset_, &gaze_tracker_}) {
-        if (device->damage()) throw InputError(device->damage()->text);
+void ReplayedWorld::require(const char* device, const char* what, const char* expected) const {
+    if (recording_.has(device)) return;
+    throw InputError(
+        fmt::format("{}: holds no frames of {}; expected {}", recording_.name(), what, expected));
+}
+
+Transport* ReplayedWorld::see_through_camera() {
+    if (!sees_through_) return nullptr;
+    if (!see_through_) {
+        require("see_through", "a see-through camera", "see_through.camera = \"\"");
+        see_through_.emplace(recording_, "see_through", clock_,
+                             ReplayedDevice::Settings{.loop = loop_});
     }
-    if (camera_ && camera_->damage()) throw InputError(camera_->damage()->text);
-    return headset_.at_end() && gaze_tracker_.at_end() && (!camera_ || camera_->at_end());
+    return &*see_through_;
+}
+
+bool ReplayedWorld::at_end() const {
+    bool all = true;
+    for (const ReplayedDevice* device : {&headset_, &gaze_tracker_, camera_ ? &*camera_ : nullptr,
+                                         see_through_ ? &*see_through_ : nullptr}) {
+        if (device == nullptr) continue;
+        if (device->damage()) throw InputError(device->damage()->text);
+        all = all && device->at_end();
+    }
+    return all;
 }
 
 }  // namespace foverig

@@ -16,6 +16,7 @@ class ReplayedWorld final : public World {
     Transport& gaze_tracker() override { return gaze_tracker_; }
     Display& display() override { return panel_; }
     Transport* tracker_camera() override { return camera_ ? &*camera_ : nullptr; }
+    Transport* see_through_camera() override;
 
     double initial_yaw_rad() const override { return initial_yaw_rad_; }
     std::optional<dquat> true_head(HostTime) const override { return std::nullopt; }
@@ -31,12 +32,17 @@ class ReplayedWorld final : public World {
     bool at_end() const override;
 
   private:
+    /// Throws InputError where the recording has nothing of that device.
+    void require(const char* device, const char* what, const char* expected) const;
+
+    Clock& clock_;
+    bool sees_through_, loop_;
     Recording recording_;
     double initial_yaw_rad_;
     RecordedGaze recorded_gaze_;
     VirtualPanel panel_;
     ReplayedDevice headset_, gaze_tracker_;
-    std::optional<ReplayedDevice> camera_;
+    std::optional<ReplayedDevice> camera_, see_through_;
 };
 
 }  // namespace foverig

@@ -38,8 +38,9 @@ Session::Session(const Scenario& scenario, const Scene& scene, Renderer& rendere
       clock_(scenario.clock, parse_cost(scenario.cost).value_or(Cost{}), replay_speed(scenario)),
       recording_(recording),
       world_(make_world(scenario, clock_.clock(), live)),
-      devices_(scenario, *world_, clock_.clock(), recording),
-      see_through_(live == nullptr ? nullptr : SeeThrough::open(scenario, *world_, clock_.clock())),
+      devices_(scenario, *world_, clock_.clock(), recording,
+               live == nullptr ? DeviceStreams::SeesThrough::no
+                               : DeviceStreams::SeesThrough::where_asked),
       flight_(scenario.camera, scene),
       views_(scenario.display),
       pacing_(scenario.display.pacing, world_->display()) {}
@@ -155,7 +156,7 @@ HostTime Session::draw(FrameRecord& frame, HostTime expected_vsync) {
             pictured_vsync = warp_to_newest(frame, expected_vsync);
             return std::array{poses_[0].world_from_head, poses_[1].world_from_head};
         };
-    if (see_through_) see_through(frame, pictures);
+    if (devices_.see_through() != nullptr) see_through(frame, pictures);
     const DrawTimes times = display.draw(pictures);
     frame.passes.push_back({"window_upload", to_ms(times.upload)});
     frame.passes.push_back({"window_lens", to_ms(times.lens)});
@@ -164,8 +165,10 @@ HostTime Session::draw(FrameRecord& frame, HostTime expected_vsync) {
 
 void Session::see_through(FrameRecord& frame, FramePictures& pictures) {
     const WallClock stopwatch;
-    pictures.behind = see_through_->picture(clock_.now(), devices_.head());
-    frame.see_through = see_through_->instants();
+    SeeThrough& camera = *devices_.see_through();
+    camera.read_until(clock_.now());
+    pictures.behind = camera.picture(devices_.head());
+    if (pictures.behind) frame.see_through = camera.instants();
     frame.passes.push_back({"see_through", to_ms(stopwatch.now().time_since_epoch())});
 }
 
@@ -281,7 +284,6 @@ RunRecord Session::finish(bool interrupted) {
     }
     run.frames = std::move(frames_);
     run.devices = devices_.records();
-    if (see_through_) run.devices.push_back(see_through_->record());
     run.plan = renderer_.plan().effects();
     run.pipeline = scenario_.render.pipeline;
     run.backend = renderer_.backend_name();

@@ -13,7 +13,6 @@
 #include "rig/session/live_parts.h"
 #include "rig/session/pacing.h"
 #include "rig/session/run_clock.h"
-#include "rig/session/see_through.h"
 
 namespace foverig {
 
@@ -71,7 +70,6 @@ class Session {
     SessionRecording* recording_;
     std::unique_ptr<World> world_;
     DeviceStreams devices_;
-    std::unique_ptr<SeeThrough> see_through_;  // null: none, or no window to show it
     CameraFlight flight_;
     EyeViews views_;
     Pacing pacing_;

@@ -63,6 +63,13 @@ std::string text_of(const std::optional<Origin>& origin) {
     return origin ? name_of(*origin) : "";
 }
 
+RecordedDevice frames_of(const char* camera, const std::optional<Origin>& origin) {
+    return {.name = camera,
+            .packet_encoding = "x-fcf1",
+            .device_time = "u32 LE at byte 20, us: from its time stamp to its arrival",
+            .origin = text_of(origin)};
+}
+
 }  // namespace
 
 SessionRecording::SessionRecording(const std::filesystem::path& file, const Scenario& scenario)
@@ -122,12 +129,12 @@ Transport& SessionRecording::gaze_tracker(Transport& device, const Clock& clock,
 Transport& SessionRecording::tracker_camera(Transport& device, const Clock& clock,
                                             std::optional<Origin> origin) {
     if (decoded_) fixes_ = recorder_->add_topic(fix_topic());
-    return tracker_camera_.emplace(
-        device, *recorder_, clock,
-        RecordedDevice{.name = "camera",
-                       .packet_encoding = "x-fcf1",
-                       .device_time = "u32 LE at byte 20, us: from its time stamp to its arrival",
-                       .origin = text_of(origin)});
+    return tracker_camera_.emplace(device, *recorder_, clock, frames_of("camera", origin));
+}
+
+Transport& SessionRecording::see_through_camera(Transport& device, const Clock& clock,
+                                                std::optional<Origin> origin) {
+    return see_through_camera_.emplace(device, *recorder_, clock, frames_of("see_through", origin));
 }
 
 void SessionRecording::calibration(const dk2::FactoryCalibration& factory) {

@@ -30,6 +30,8 @@ class SessionRecording {
     Transport& headset(Transport& device, const Clock& clock, std::optional<Origin> origin);
     Transport& gaze_tracker(Transport& device, const Clock& clock, std::optional<Origin> origin);
     Transport& tracker_camera(Transport& device, const Clock& clock, std::optional<Origin> origin);
+    Transport& see_through_camera(Transport& device, const Clock& clock,
+                                  std::optional<Origin> origin);
     void calibration(const dk2::FactoryCalibration& factory);
     void calibration(const gaze::Info& tracker);
 
@@ -52,7 +54,7 @@ class SessionRecording {
     bool decoded_;
     std::optional<Recorder::TopicId> imu_, gaze_, fixes_;  // none: left out
     Recorder::TopicId frames_;
-    std::optional<RecordedTransport> headset_, gaze_tracker_, tracker_camera_;
+    std::optional<RecordedTransport> headset_, gaze_tracker_, tracker_camera_, see_through_camera_;
     bool has_samples_ = false;
     std::size_t frames_written_ = 0;
     std::string text_;

@@ -5,6 +5,7 @@
 #include "rig/failure.h"
 #include "rig/session/live_parts.h"
 #include "rig/session/panel_settings.h"
+#include "rig/session/see_through_camera.h"
 #include "simulators/gaze/tracker_geometry.h"
 #include "simulators/motion/catalog.h"
 
@@ -38,7 +39,9 @@ std::unique_ptr<motion::EyeMotion> eyes_or_throw(const Scenario& scenario, bool 
 
 SimulatedWorld::SimulatedWorld(const Scenario& scenario, Clock& clock,
                                const motion::EyeMotion* pointed_eyes)
-    : head_(motion_or_throw(
+    : clock_(clock),
+      see_through_settings_(scenario.see_through),
+      head_(motion_or_throw(
           "motion.head", scenario.motion.head,
           motion::make_head(scenario.motion.head, seed_of(scenario, SeedStream::head)))),
       eyes_(eyes_or_throw(scenario, pointed_eyes != nullptr)),
@@ -58,6 +61,18 @@ SimulatedWorld::SimulatedWorld(const Scenario& scenario, Clock& clock,
                     SimulatedCamera::Settings{.leds = std::move(leds).value(),
                                               .faults = scenario.faults.camera,
                                               .seed = seed_of(scenario, SeedStream::camera)});
+}
+
+Transport* SimulatedWorld::see_through_camera() {
+    if (!see_through_)
+        see_through_ = open_see_through_camera(see_through_settings_, clock_,
+                                               [this](HostTime t) { return *true_head(t); });
+    return see_through_.get();
+}
+
+Origin SimulatedWorld::origin(std::string_view device) const {
+    const bool real = device == "see_through" && see_through_settings_.camera != "sim";
+    return real ? Origin::hardware : Origin::simulated;
 }
 
 double SimulatedWorld::initial_yaw_rad() const {

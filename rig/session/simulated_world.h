@@ -22,15 +22,19 @@ class SimulatedWorld final : public World {
     Transport& gaze_tracker() override { return gaze_tracker_; }
     Display& display() override { return panel_; }
     Transport* tracker_camera() override { return camera_ ? &*camera_ : nullptr; }
+    Transport* see_through_camera() override;
 
     double initial_yaw_rad() const override;
     std::optional<dquat> true_head(HostTime time) const override;
     std::optional<std::array<dvec3, 2>> true_gaze(HostTime time) const override;
-    Origin origin(std::string_view) const override { return Origin::simulated; }
+    /// All but a see-through camera of the desk.
+    Origin origin(std::string_view device) const override;
     bool reads_back_our_frames() const override { return true; }
     bool at_end() const override { return false; }
 
   private:
+    Clock& clock_;
+    SeeThroughSettings see_through_settings_;
     std::unique_ptr<motion::HeadMotion> head_;
     std::unique_ptr<motion::EyeMotion> eyes_;  // null: pointed
     const motion::EyeMotion* pointed_eyes_;    // null: not pointed
@@ -39,6 +43,7 @@ class SimulatedWorld final : public World {
     SimulatedDk2 headset_;
     SimulatedGaze gaze_tracker_;
     std::optional<SimulatedCamera> camera_;
+    std::unique_ptr<Transport> see_through_;  // null: not opened
 };
 
 }  // namespace foverig

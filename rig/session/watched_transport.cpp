@@ -26,8 +26,8 @@ void WatchedTransport::lost(const Error& why) {
     const HostTime now = clock_.now();
     outages_.push_back({.lost = now, .back = {}, .why = why.text});
     if (!notice_) return;
-    notice_(fmt::format("{} is lost at {:.2f} s ({}); its last sample stands until it is back",
-                        name_, seconds_of(now), why.text));
+    notice_(fmt::format("{} is lost at {:.2f} s ({}); {} until it is back", name_, seconds_of(now),
+                        why.text, meanwhile_));
 }
 
 void WatchedTransport::back(HostTime arrival) {

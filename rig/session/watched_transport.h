@@ -14,9 +14,15 @@ using Notice = std::function<void(const std::string&)>;
 
 class WatchedTransport final : public Transport {
   public:
-    /// All outlive this; `notice` may be set to another later. `clock` says when a loss showed.
-    WatchedTransport(Transport& device, std::string name, const Clock& clock, const Notice& notice)
-        : device_(device), name_(std::move(name)), clock_(clock), notice_(notice) {}
+    /// All outlive this; `notice` may be set to another later. `clock` says when a loss showed,
+    /// `meanwhile` what a run does without the device.
+    WatchedTransport(Transport& device, std::string name, const Clock& clock, const Notice& notice,
+                     const char* meanwhile = "its last sample stands")
+        : device_(device),
+          name_(std::move(name)),
+          clock_(clock),
+          notice_(notice),
+          meanwhile_(meanwhile) {}
 
     NextPacket next(HostTime deadline) override;
     Status control_set(std::uint8_t id, std::uint16_t value,
@@ -42,6 +48,7 @@ class WatchedTransport final : public Transport {
     std::string name_;
     const Clock& clock_;
     const Notice& notice_;
+    const char* meanwhile_;
     std::vector<Outage> outages_;
 };
 

@@ -15,6 +15,7 @@ class WindowedWorld final : public World {
     Transport& gaze_tracker() override { return devices_->gaze_tracker(); }
     Display& display() override { return *display_; }
     Transport* tracker_camera() override { return devices_->tracker_camera(); }
+    Transport* see_through_camera() override { return devices_->see_through_camera(); }
 
     double initial_yaw_rad() const override { return devices_->initial_yaw_rad(); }
     std::optional<dquat> true_head(HostTime time) const override {

@@ -23,6 +23,10 @@ class World {
     virtual Display& display() = 0;
     /// The DK2's tracker camera; null: none is asked for, or none is there.
     virtual Transport* tracker_camera() = 0;
+    /// A camera on the headset, opened when it is first asked for; null: none is asked for. Throws
+    /// DeviceError where it cannot be opened, UsageError where a simulated one has no simulated
+    /// head to sit on, InputError where a recording has none.
+    virtual Transport* see_through_camera() = 0;
 
     /// Which way the head faces at the start, which no gravity shows.
     virtual double initial_yaw_rad() const = 0;
@@ -34,7 +38,7 @@ class World {
         return true_gaze(time);
     }
 
-    /// Of "dk2", "gaze" or "camera".
+    /// Of "dk2", "gaze", "camera" or "see_through".
     virtual Origin origin(std::string_view device) const = 0;
     /// What a recorded one was when it was recorded; none: it is no recorded one, or its recording
     /// does not say.

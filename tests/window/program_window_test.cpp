@@ -98,6 +98,42 @@ TEST_F(ProgramWindowTest, ACameraSeesThrough) {
     // 35 ms from exposure to arrival, up to 33 ms until the next, and a frame.
     EXPECT_GE(s["latency_ms"]["see_through_to_photon"]["p50"].get<double>(), 35.0);
     EXPECT_TRUE(s["pass_time_ms"].contains("see_through"));
+    EXPECT_EQ(s["devices"]["see_through"]["origin"], "simulated");
+}
+
+TEST_F(ProgramWindowTest, WhatItSawIsRecordedAndSeenAgain) {
+    const test::Xvfb desktop;
+    ASSERT_TRUE(desktop.ready());
+    const Outcome run = windowed_run({"--seconds", "1", "--set", "see_through.camera=sim", "--set",
+                                      "see_through.distortion=[-0.25,0.05,0,0,0]", "--set",
+                                      "recording.enabled=true"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto first = summary();
+    const std::string recording = (root_ / "run/session.mcap").string();
+    const auto replay = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"replay", recording, "--out",
+                                           (root_ / "again").string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return test::foverig(arguments);
+    };
+    const Outcome again = replay({});
+    ASSERT_EQ(again.code, 0) << again.err;
+    const auto s = nlohmann::json::parse(text_of(root_ / "again/summary.json"));
+    EXPECT_EQ(s["devices"]["see_through"]["origin"], "recorded");
+    EXPECT_EQ(s["devices"]["see_through"]["recorded_from"], "simulated");
+    EXPECT_GT(s["devices"]["see_through"]["samples"].get<int>(), 0);
+    EXPECT_LE(s["devices"]["see_through"]["samples"].get<int>(),
+              first["devices"]["see_through"]["samples"].get<int>());
+    EXPECT_EQ(s["devices"]["see_through"]["lost"], 0);
+    EXPECT_GE(s["latency_ms"]["see_through_to_photon"]["p50"].get<double>(), 35.0);
+    EXPECT_EQ(s["scenario"]["see_through"]["distortion"][0], -0.25);
+
+    const Outcome hidden = replay({"--display", "virtual"});
+    EXPECT_EQ(hidden.code, 2);
+    EXPECT_THAT(hidden.err, HasSubstr("--set see_through.camera="));
+    fs::remove_all(root_ / "again");
+    const Outcome without = replay({"--display", "virtual", "--set", "see_through.camera="});
+    EXPECT_EQ(without.code, 0) << without.err;
 }
 
 TEST_F(ProgramWindowTest, TheCursorIsTheGaze) {

@@ -1,15 +1,20 @@
 #include "rig/session/see_through.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 #include "devices/fusion/rotation.h"
 #include "rig/failure.h"
 #include "rig/live/live_window.h"
 #include "rig/open_scene.h"
+#include "rig/require_devices.h"
 #include "rig/scenario/keys.h"
 #include "rig/scenario/parse.h"
 #include "rig/session/device_streams.h"
 #include "rig/session/see_through_lens.h"
+#include "simulators/replay/recording.h"
 
 namespace foverig {
 namespace {
@@ -21,23 +26,29 @@ Scenario with_room() {
     return s;
 }
 
+constexpr auto kAsked = DeviceStreams::SeesThrough::where_asked;
+
 TEST(SeeThrough, IsNotThereUnlessItIsAskedFor) {
     ManualClock clock;
     const Scenario s;
     const auto world = make_world(s, clock);
-    EXPECT_EQ(SeeThrough::open(s, *world, clock), nullptr);
+    EXPECT_EQ(DeviceStreams(s, *world, clock, nullptr, kAsked).see_through(), nullptr);
+    const Scenario asked = with_room();
+    const auto with = make_world(asked, clock);
+    EXPECT_EQ(DeviceStreams(asked, *with, clock, nullptr).see_through(), nullptr) << "not shown";
 }
 
 TEST(SeeThrough, ShowsTheNewestPictureOfTheHeadAsItWas) {
     ManualClock clock;
     const Scenario s = with_room();
     const auto world = make_world(s, clock);
-    DeviceStreams devices(s, *world, clock, nullptr);
-    const auto camera = SeeThrough::open(s, *world, clock);
-    EXPECT_FALSE(camera->picture(clock.now(), devices.head())) << "nothing came yet";
+    DeviceStreams devices(s, *world, clock, nullptr, kAsked);
+    SeeThrough* camera = devices.see_through();
+    ASSERT_NE(camera, nullptr);
+    EXPECT_FALSE(camera->picture(devices.head())) << "nothing came yet";
     EXPECT_FALSE(camera->instants());
     devices.run_for(from_seconds(1.0));
-    const auto seen = camera->picture(clock.now(), devices.head());
+    const auto seen = camera->picture(devices.head());
     ASSERT_TRUE(seen);
     EXPECT_TRUE(seen->changed);
     EXPECT_EQ(seen->width_px, 640);
@@ -49,11 +60,12 @@ TEST(SeeThrough, ShowsTheNewestPictureOfTheHeadAsItWas) {
     EXPECT_LE(age_ms, 35.0 + 34.0);
     const dquat truth = *world->true_head(camera->instants()->taken);
     EXPECT_LT(glm::degrees(angle_between(seen->world_from_camera, truth)), 0.5);
-    EXPECT_FALSE(camera->picture(clock.now(), devices.head())->changed);
+    EXPECT_FALSE(camera->picture(devices.head())->changed);
     devices.run_for(from_seconds(1.0));
-    EXPECT_TRUE(camera->picture(clock.now(), devices.head())->changed);
-    const DeviceRecord record = camera->record();
+    EXPECT_TRUE(camera->picture(devices.head())->changed);
+    const DeviceRecord record = devices.records().back();
     EXPECT_EQ(record.name, "see_through");
+    EXPECT_EQ(record.origin, Origin::simulated);
     EXPECT_EQ(record.counts.samples, 59u) << "all that came, though two were shown";
     EXPECT_NEAR(record.rate_hz.value(), 30.0, 0.01);
     EXPECT_EQ(record.counts.lost, 0u);
@@ -64,7 +76,93 @@ TEST(SeeThrough, ACameraThatIsNotThereIsSaid) {
     Scenario s;
     s.see_through.camera = "/nowhere/video7";
     const auto world = make_world(s, clock);
-    EXPECT_THROW(SeeThrough::open(s, *world, clock), DeviceError);
+    EXPECT_THROW(world->see_through_camera(), DeviceError);
+    EXPECT_EQ(world->origin("see_through"), Origin::hardware) << "though all else is simulated";
+    EXPECT_EQ(world->origin("dk2"), Origin::simulated);
+}
+
+TEST(SeeThrough, ACameraOnADeskNeedsTheWallsClock) {
+    Scenario s;
+    EXPECT_NO_THROW(require_see_through(s));
+    s.see_through.camera = "046d:0825";
+    EXPECT_THROW(require_see_through(s), UsageError);
+    s.devices = "replay:desk.mcap";
+    EXPECT_NO_THROW(require_see_through(s)) << "its frames are recorded";
+    s.devices = "sim";
+    s.clock = "wall";
+    EXPECT_NO_THROW(require_see_through(s));
+}
+
+class RecordedSeeThrough : public testing::Test {
+  protected:
+    void SetUp() override { std::filesystem::remove(file_); }
+    void TearDown() override { std::filesystem::remove(file_); }
+
+    struct Seen {
+        std::vector<std::uint8_t> picture;
+        SampleInstants instants;
+        DeviceRecord record;
+    };
+    Seen run(const Scenario& s, SessionRecording* recording) {
+        ManualClock clock;
+        const auto world = make_world(s, clock);
+        DeviceStreams devices(s, *world, clock, recording, kAsked);
+        devices.run_for(from_seconds(1.0));
+        const auto picture = devices.see_through()->picture(devices.head());
+        EXPECT_TRUE(picture);
+        return {{picture->srgb.begin(), picture->srgb.end()},
+                *devices.see_through()->instants(),
+                devices.records().back()};
+    }
+    Scenario replaying(Scenario s) const {
+        s.devices = "replay:" + file_;
+        return s;
+    }
+
+    std::string file_ =
+        testing::TempDir() + "foverig_see_through_" + std::to_string(getpid()) + ".mcap";
+};
+
+TEST_F(RecordedSeeThrough, ReplaysTheSameFramesAtTheSameTimes) {
+    const Scenario s = with_room();
+    Seen first;
+    {
+        SessionRecording recording(file_, s);
+        first = run(s, &recording);
+        const RecordingRecord written = recording.end();
+        EXPECT_EQ(written.dropped, 0u);
+        EXPECT_GT(written.bytes, 28u * 640 * 480 * 2);
+    }
+    const Recording opened = Recording::open(file_).value();
+    const mcap::Channel* raw = opened.summary().channel("/see_through/raw");
+    ASSERT_NE(raw, nullptr);
+    EXPECT_EQ(raw->message_encoding, "x-fcf1");
+    EXPECT_EQ(opened.summary().statistics->messages_of.at(raw->id), first.record.counts.samples);
+    const Seen again = run(replaying(s), nullptr);
+    EXPECT_EQ(again.picture, first.picture);
+    EXPECT_EQ(again.instants.taken, first.instants.taken);
+    EXPECT_EQ(again.instants.arrived, first.instants.arrived);
+    EXPECT_EQ(again.record.name, "see_through");
+    EXPECT_EQ(again.record.origin, Origin::recorded);
+    EXPECT_EQ(again.record.recorded_from, Origin::simulated);
+    EXPECT_EQ(again.record.counts.samples, first.record.counts.samples);
+    EXPECT_EQ(again.record.rate_hz, first.record.rate_hz);
+}
+
+TEST_F(RecordedSeeThrough, ARecordingWithoutItsFramesSaysSo) {
+    {
+        const Scenario without;
+        ManualClock clock;
+        const auto world = make_world(without, clock);
+        SessionRecording recording(file_, without);
+        DeviceStreams devices(without, *world, clock, &recording, kAsked);
+        devices.run_for(from_seconds(0.2));
+        recording.end();
+    }
+    ManualClock clock;
+    const Scenario s = replaying(with_room());
+    const auto world = make_world(s, clock);
+    EXPECT_THROW(world->see_through_camera(), InputError);
 }
 
 TEST(SeeThrough, ALensIsThatOfTheSizeThatIsAskedForInProportion) {
