@@ -88,7 +88,7 @@ TEST_F(ProgramWindowTest, TheHudIsCountedWhereItIsOn) {
 TEST_F(ProgramWindowTest, ACameraSeesThrough) {
     const test::Xvfb desktop;
     ASSERT_TRUE(desktop.ready());
-    const Outcome run = windowed_run({"--seconds", "1", "--set", "see_through.camera=sim",
+    const Outcome run = windowed_run({"--frames", "75", "--set", "see_through.camera=sim",
                                       "--fail-if", "devices.see_through.lost > 0", "--fail-if",
                                       "latency_ms.see_through_to_photon.p50 > 1e6"});
     ASSERT_EQ(run.code, 0) << run.err;
@@ -104,7 +104,7 @@ TEST_F(ProgramWindowTest, ACameraSeesThrough) {
 TEST_F(ProgramWindowTest, WhatItSawIsRecordedAndSeenAgain) {
     const test::Xvfb desktop;
     ASSERT_TRUE(desktop.ready());
-    const Outcome run = windowed_run({"--seconds", "1", "--set", "see_through.camera=sim", "--set",
+    const Outcome run = windowed_run({"--frames", "75", "--set", "see_through.camera=sim", "--set",
                                       "see_through.distortion=[-0.25,0.05,0,0,0]", "--set",
                                       "recording.enabled=true"});
     ASSERT_EQ(run.code, 0) << run.err;
@@ -140,7 +140,7 @@ TEST_F(ProgramWindowTest, TheCursorIsTheGaze) {
     const test::Xvfb desktop;
     ASSERT_TRUE(desktop.ready());
     test::Person().move_to(200, 135);  // left eye, a quarter right and a quarter up
-    const Outcome run = windowed_run({"--gaze", "mouse", "--seconds", "1.5"});
+    const Outcome run = windowed_run({"--gaze", "mouse", "--frames", "112"});
     ASSERT_EQ(run.code, 0) << run.err;
     const auto s = summary();
     EXPECT_EQ(s["scenario"]["motion"]["gaze"], "mouse");
