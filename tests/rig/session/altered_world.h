@@ -20,6 +20,7 @@ class AlteredWorld final : public World {
     Transport* tracker_camera() override {
         return camera_instead != nullptr ? camera_instead : world_.tracker_camera();
     }
+    Transport* see_through_camera() override { return world_.see_through_camera(); }
     double initial_yaw_rad() const override { return world_.initial_yaw_rad(); }
     std::optional<dquat> true_head(HostTime time) const override { return world_.true_head(time); }
     std::optional<std::array<dvec3, 2>> true_gaze(HostTime time) const override {
