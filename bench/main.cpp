@@ -6,7 +6,10 @@
 #include <iostream>
 
 #include "bench/large_scene_child.h"
+#include "bench/on_devices.h"
 #include "bench/suites.h"
+#include "rig/failure.h"
+#include "rig/require_devices.h"
 
 namespace foverig::bench {
 namespace {
@@ -59,6 +62,7 @@ int run(int argc, char** argv) {
     register_full_against_embree(bench);
     register_foveation_speedup(bench);
     register_fixed_work(bench);
+    register_frame_times(bench);
     register_reprojection_error(bench);
     register_large_scenes(bench);
     register_tracer(bench);
@@ -72,7 +76,13 @@ int run(int argc, char** argv) {
     register_vsync(bench);
     register_rig_latency(bench);
     add_context(o);
-    if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;
+    if (o.devices == "hardware") require_devices(on_devices({}, o));
+    try {
+        if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;
+    } catch (const DeviceError&) {  // unplugged: what was measured before stands
+        bench.results.write();
+        throw;
+    }
     bench.results.write();
     return 0;
 }
@@ -83,6 +93,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         return foverig::bench::run(argc, argv);
+    } catch (const foverig::DeviceError& e) {
+        std::cerr << "foverig_bench: " << e.what() << '\n';
+        return 4;
     } catch (const std::exception& e) {
         std::cerr << "foverig_bench: " << e.what() << '\n';
         return 5;

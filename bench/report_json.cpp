@@ -47,7 +47,6 @@ Json identity(const Options& options) {
             {"host", {{"cpu", or_null(host.cpu)}, {"cores", host.cores}, {"os", or_null(host.os)}}},
             {"embree", embree_identity()},
             {"robust_tracing", options.robust},
-            {"devices", options.devices},
             {"threads", tbb::info::default_concurrency()}};
 }
 

@@ -63,7 +63,7 @@ void bm_pose_to_present(benchmark::State& state, Bench& bench) {
         Session session(scenario, *scene, idle, nullptr);
         const RunRecord run = session.run({});
         if (const auto why = wrong(run); !why.empty()) return state.SkipWithError(why.c_str());
-        Json row = {{"frames", kFrames}};
+        Json row = {{"devices", bench.options.devices}, {"frames", kFrames}};
         const auto add = [&](const std::string& name, double share, std::vector<double> sorted) {
             if (sorted.empty()) return;
             std::ranges::sort(sorted);

@@ -20,6 +20,7 @@ struct Bench {
 void register_full_against_embree(Bench& bench);
 void register_foveation_speedup(Bench& bench);
 void register_fixed_work(Bench& bench);
+void register_frame_times(Bench& bench);
 void register_reprojection_error(Bench& bench);
 void register_large_scenes(Bench& bench);
 void register_tracer(Bench& bench);

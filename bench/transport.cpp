@@ -248,6 +248,7 @@ Durations_us told(const Options&) {
 struct Way {
     const char* name;
     Durations_us (*measure)(const Options&);
+    bool of_a_headset = true;
 };
 
 void run(benchmark::State& state, Bench& bench, const Way& c) {
@@ -260,20 +261,21 @@ void run(benchmark::State& state, Bench& bench, const Way& c) {
         const auto at = [&](double p) { return us[static_cast<std::size_t>(p * (kSamples - 1))]; };
         state.counters["p50_us"] = at(0.50);
         state.counters["p99_us"] = at(0.99);
-        bench.results.add("transport", c.name,
-                          {{"samples", kSamples},
-                           {"p50_us", at(0.50)},
-                           {"p90_us", at(0.90)},
-                           {"p99_us", at(0.99)},
-                           {"p99_9_us", at(0.999)},
-                           {"most_us", us.back()}});
+        Json row = {{"samples", kSamples}};
+        if (c.of_a_headset) row["devices"] = bench.options.devices;
+        row.update({{"p50_us", at(0.50)},
+                    {"p90_us", at(0.90)},
+                    {"p99_us", at(0.99)},
+                    {"p99_9_us", at(0.999)},
+                    {"most_us", us.back()}});
+        bench.results.add("transport", c.name, row);
     }
 }
 
 }  // namespace
 
 void register_transport(Bench& bench) {
-    for (const Way& c : {Way{"imu 1 kHz", waited_for}, Way{"bare hand-over", told},
+    for (const Way& c : {Way{"imu 1 kHz", waited_for}, Way{"bare hand-over", told, false},
                          Way{"imu 1 kHz, packets waiting", taken}}) {
         benchmark::RegisterBenchmark((std::string("BM_Transport/") + c.name).c_str(),
                                      [&bench, c](benchmark::State& state) { run(state, bench, c); })

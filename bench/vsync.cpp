@@ -134,6 +134,8 @@ std::string wrong(const RunRecord& run, const VsyncCount& count) {
     for (const FrameRecord& frame : run.frames) {
         if (frame.numerics.nan > 0) return "a kernel met NaN";
     }
+    if (std::ranges::count_if(run.frames, &FrameRecord::pose_stale) > kFrames / 100)
+        return "the headset was not there";
     return "";
 }
 
@@ -156,7 +158,8 @@ void bm_vsync(benchmark::State& state, Bench& bench, const std::string& name, Sc
                 return state.SkipWithError(why.c_str());
             }
         }
-        Json row{{"eye_width_px", scenario.display.eye_width_px},
+        Json row{{"devices", bench.options.devices},
+                 {"eye_width_px", scenario.display.eye_width_px},
                  {"eye_height_px", scenario.display.eye_height_px},
                  {"budget_ms", budget_ms(scenario)},
                  {"alone", row_of(unguarded)},

@@ -96,7 +96,7 @@ std::string summary_text(const json& s) {
     if (const json& times = s.value("steady_frame_time_ms", json()); times.is_object())
         text += fmt::format("steady            {}\n", steady(times));
     if (const std::string elsewhere = elsewhere_text(s); !elsewhere.empty())
-        text += fmt::format("not alone         processor time went elsewhere, {}\n", elsewhere);
+        text += fmt::format("not alone         elsewhere went {}\n", elsewhere);
     text += fmt::format("vsync             {} of {} missed at {}, budget {}\n",
                         number(vsync["missed"]), number(vsync["total"]),
                         number(vsync["rate_hz"], " Hz"), number(vsync["budget_ms"], " ms"));

@@ -190,7 +190,7 @@ sweep::Times SweepRuns::times(std::size_t point, int repetition) {
     }
     const auto after = processor_times();
     if (const auto use = before && after ? use_between(*before, *after) : std::nullopt)
-        times.elsewhere_ratio = use->elsewhere_ratio();
+        times.elsewhere_processors = use->elsewhere();
     return times;
 }
 

@@ -33,8 +33,8 @@ std::size_t warm_up_of(const std::vector<report::RunData>& runs) {
 std::optional<double> most_elsewhere(const std::vector<report::RunData>& runs) {
     std::optional<double> most;
     for (const report::RunData& run : runs)
-        if (const auto ratio = elsewhere_ratio(run.summary))
-            most = std::max(most.value_or(0.0), *ratio);
+        if (const auto processors = elsewhere_processors(run.summary))
+            most = std::max(most.value_or(0.0), *processors);
     return most;
 }
 
@@ -76,7 +76,7 @@ TimeComparison compare_times(const std::vector<report::RunData>& base,
                                      base.size(), fresh.size()));
     TimeComparison c;
     c.warm_up_frames = std::max(warm_up_of(base), warm_up_of(fresh));
-    c.elsewhere_ratio = std::max(most_elsewhere(base), most_elsewhere(fresh));
+    c.elsewhere_processors = std::max(most_elsewhere(base), most_elsewhere(fresh));
     c.base = medians_of(base, settings.of, c.warm_up_frames);
     c.fresh = medians_of(fresh, settings.of, c.warm_up_frames);
     c.shift = settings.paired ? stats::paired_shift(c.base, c.fresh)

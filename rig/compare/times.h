@@ -17,8 +17,8 @@ struct TimeSettings {
 struct TimeComparison {
     std::size_t warm_up_frames = 0;   ///< left out of every run: the most that any needs
     std::vector<double> base, fresh;  ///< median of each run
-    /// Largest share of the machine's processor time that others had in a run; none: not known.
-    std::optional<double> elsewhere_ratio;
+    /// The most of the machine's processors that others had during a run; none: not known.
+    std::optional<double> elsewhere_processors;
     stats::Shift shift;     ///< in the column's unit
     stats::Shift relative;  ///< to the median of `base`
     stats::Judgement judgement;

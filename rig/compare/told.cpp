@@ -99,11 +99,14 @@ std::string told(const TimeComparison& c, const TimeSettings& settings,
     if (c.warm_up_frames > 0)
         text += fmt::format("warm-up  the first {} frames of every run are left out\n",
                             c.warm_up_frames);
-    if (c.elsewhere_ratio.value_or(0.0) >= kElsewhereMatters_ratio)
+    // What others had is not in processor time, and of a duet it is the partner's.
+    if (settings.of != kProcessorTime &&
+        c.elsewhere_processors.value_or(0.0) >= kElsewhereMatters_processors)
         text += fmt::format(
-            "machine  up to {:.0f} % of its processor time went elsewhere during a run{}\n",
-            100.0 * *c.elsewhere_ratio,
-            settings.of == kProcessorTime ? "" : "; --of cpu_ms leaves that out");
+            "machine  others had up to {:.1f} of its processors during a run; --of cpu_ms leaves "
+            "that "
+            "out\n",
+            *c.elsewhere_processors);
     text += fmt::format("shift    {}, {}{}\n", with_interval(c.shift, 1.0, unit_of(settings.of)),
                         with_interval(c.relative, 100.0, " %"), c.shift.ci95 ? ", 95 %" : "");
     for (std::size_t i = 0; i < std::min(passes.size(), kMostPasses); ++i)
@@ -120,14 +123,14 @@ Json to_json(const TimeComparison& c, const TimeSettings& settings,
                  {"threshold", settings.threshold},
                  {"paired", settings.paired},
                  {"warm_up_frames", c.warm_up_frames},
-                 {"elsewhere_ratio", nullptr},
+                 {"elsewhere_processors", nullptr},
                  {"base", c.base},
                  {"new", c.fresh},
                  {"shift", shift_json(c.shift)},
                  {"relative_shift", shift_json(c.relative)},
                  {"runs_needed", nullptr},
                  {"passes", Json::object()}};
-    if (c.elsewhere_ratio) json["elsewhere_ratio"] = *c.elsewhere_ratio;
+    if (c.elsewhere_processors) json["elsewhere_processors"] = *c.elsewhere_processors;
     if (c.judgement.runs_needed) json["runs_needed"] = *c.judgement.runs_needed;
     for (const PassShift& pass : passes) json["passes"][pass.pass] = shift_json(pass.shift_ms);
     return json;

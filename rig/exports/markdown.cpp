@@ -53,7 +53,7 @@ void add_times(std::string& table, const json& summary) {
     const std::string elsewhere = elsewhere_text(summary);
     if (const json cpu = summary.value("cpu_time_ms", json()); cpu.is_object())
         row(table, "processor time p50", number(cpu.at("p50"), " ms"),
-            elsewhere.empty() ? "" : "elsewhere " + elsewhere);
+            elsewhere.empty() ? "" : "elsewhere went " + elsewhere);
 }
 
 std::string effects(const json& plan) {

@@ -36,7 +36,9 @@ std::optional<ProcessorTimes> processor_times() {
     std::string line;
     if (!std::getline(stream, line)) return std::nullopt;
     auto times = parse_processor_times(line, static_cast<double>(sysconf(_SC_CLK_TCK)));
-    if (times) times->own_s = std::chrono::duration<double>(process_time()).count();
+    if (!times) return std::nullopt;
+    times->own_s = std::chrono::duration<double>(process_time()).count();
+    times->processors = static_cast<int>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
     return times;
 }
 
@@ -47,10 +49,12 @@ std::optional<ProcessorUse> use_between(const ProcessorTimes& before, const Proc
     const double stolen_s = after.stolen_s - before.stolen_s;
     const double all_s = busy_s + idle_s + stolen_s;
     if (!(all_s > 0.0)) return std::nullopt;
+    const double per_s = after.processors / all_s;
     // Ticks are coarse: over a short time this process can have more than they say.
-    return ProcessorUse{.own_ratio = std::min(own_s / all_s, 1.0),
-                        .others_ratio = std::max(busy_s - own_s, 0.0) / all_s,
-                        .stolen_ratio = stolen_s / all_s};
+    return ProcessorUse{.processors = after.processors,
+                        .own = own_s * per_s,
+                        .others = std::max(busy_s - own_s, 0.0) * per_s,
+                        .stolen = stolen_s * per_s};
 }
 
 }  // namespace foverig

@@ -15,6 +15,7 @@ struct ProcessorTimes {
     double busy_s = 0.0;    ///< of everything, this process too
     double idle_s = 0.0;    ///< ... and waiting for disks
     double stolen_s = 0.0;  ///< the machine's host gave them to other guests
+    int processors = 1;     ///< that the machine has
 };
 
 /// The first line of /proc/stat, in ticks of which `ticks_per_s` are a second; no value for what is
@@ -24,13 +25,14 @@ std::optional<ProcessorTimes> parse_processor_times(const std::string& line, dou
 /// Now. No value where the system does not tell.
 std::optional<ProcessorTimes> processor_times();
 
-/// Shares of the processor time that passed.
+/// What became of a machine's processors over some time; 1.5 is one and a half of them.
 struct ProcessorUse {
-    double own_ratio = 0.0;
-    double others_ratio = 0.0;  ///< other programs of this machine
-    double stolen_ratio = 0.0;
+    int processors = 1;  ///< that it has
+    double own = 0.0;
+    double others = 0.0;  ///< had by other programs of this machine
+    double stolen = 0.0;  ///< given to other guests by its host
 
-    double elsewhere_ratio() const { return others_ratio + stolen_ratio; }
+    double elsewhere() const { return others + stolen; }
 };
 
 /// No value where none passed.

@@ -7,22 +7,23 @@
 
 namespace foverig {
 
-std::optional<double> elsewhere_ratio(const nlohmann::json& summary) {
+std::optional<double> elsewhere_processors(const nlohmann::json& summary) {
     const auto use = summary.find("processor_use");
     if (use == summary.end() || !use->is_object()) return std::nullopt;
-    return use->value("others_ratio", 0.0) + use->value("stolen_ratio", 0.0);
+    return use->value("others", 0.0) + use->value("stolen", 0.0);
 }
 
 std::string elsewhere_text(const nlohmann::json& summary) {
-    const auto ratio = elsewhere_ratio(summary);
-    if (!ratio || *ratio < kElsewhereMatters_ratio) return "";
+    const auto processors = elsewhere_processors(summary);
+    if (!processors || *processors < kElsewhereMatters_processors) return "";
     const auto& use = summary["processor_use"];
     std::string text;
-    for (const auto& [key, to] : {std::pair("stolen_ratio", "other guests of its host"),
-                                  std::pair("others_ratio", "other programs")})
-        if (const double percent = 100.0 * use.value(key, 0.0); percent >= 0.5)
-            text += fmt::format("{}{:.0f} % to {}", text.empty() ? "" : ", ", percent, to);
-    return text;
+    for (const auto& [key, to] :
+         {std::pair("stolen", "other guests of its host"), std::pair("others", "other programs")})
+        if (const double had = use.value(key, 0.0); had >= 0.05)  // else it reads 0.0
+            text += fmt::format("{}{:.1f} to {}", text.empty() ? "" : ", ", had, to);
+    return fmt::format("{:.1f} of {} processors: {}", *processors, use.value("processors", 1),
+                       text);
 }
 
 }  // namespace foverig

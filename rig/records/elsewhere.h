@@ -5,16 +5,16 @@
 
 namespace foverig {
 
-/// Less of a machine's processor time elsewhere moves no time by more than `compare` calls a
-/// difference (3 %, its default threshold).
-inline constexpr double kElsewhereMatters_ratio = 0.03;
+/// Of the processors that others had of the machine while a run went on: from a tenth of one on its
+/// times may be theirs, too. Less is what an idle system does beside it. Our own rule.
+inline constexpr double kElsewhereMatters_processors = 0.1;
 
-/// Share of the machine's processor time that other programs and other guests of its host had while
-/// a run went on; no value where its summary does not tell.
-std::optional<double> elsewhere_ratio(const nlohmann::json& summary);
+/// How many processors other programs and other guests of the machine's host had while a run went
+/// on; no value where its summary does not tell.
+std::optional<double> elsewhere_processors(const nlohmann::json& summary);
 
-/// "31 % to other guests of its host, 5 % to other programs"; empty where it is too little to
-/// matter, or not known.
+/// "1.5 of 2 processors: 0.6 to other guests of its host, 0.9 to other programs"; empty where it is
+/// too little to matter, or not known.
 std::string elsewhere_text(const nlohmann::json& summary);
 
 }  // namespace foverig

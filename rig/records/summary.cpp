@@ -184,9 +184,10 @@ json display_json(const std::optional<DisplayRecord>& display) {
 
 json processor_use_json(const std::optional<ProcessorUse>& use) {
     if (!use) return nullptr;
-    return {{"own_ratio", use->own_ratio},
-            {"others_ratio", use->others_ratio},
-            {"stolen_ratio", use->stolen_ratio}};
+    return {{"processors", use->processors},
+            {"own", use->own},
+            {"others", use->others},
+            {"stolen", use->stolen}};
 }
 
 json numerics_json(const std::vector<FrameRecord>& frames) {

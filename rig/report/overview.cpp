@@ -22,8 +22,7 @@ std::string milliseconds(const std::optional<double>& ms) {
 std::string not_alone(const RunData& run) {
     const std::string elsewhere = elsewhere_text(run.summary);
     if (elsewhere.empty()) return "";
-    return fmt::format(" Meanwhile the machine's processor time went elsewhere: {}.",
-                       escaped(elsewhere));
+    return fmt::format(" Meanwhile went elsewhere, of the machine, {}.", escaped(elsewhere));
 }
 
 std::string verdict(const RunData& run) {

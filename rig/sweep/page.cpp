@@ -98,13 +98,14 @@ std::string what_was_simulated(const json& pareto) {
 
 /// What the times' intervals cannot be blamed on the settings for.
 std::string not_alone(const json& pareto) {
-    const json elsewhere = pareto.value("elsewhere_ratio", json());
-    if (!elsewhere.is_object() || elsewhere.at("max").get<double>() < kElsewhereMatters_ratio)
+    const json elsewhere = pareto.value("elsewhere_processors", json());
+    if (!elsewhere.is_object() || elsewhere.at("max").get<double>() < kElsewhereMatters_processors)
         return "";
     return fmt::format(
-        "While a run was timed, others had up to {:.0f} % of the machine's processor time (p50 of "
-        "the runs {:.0f} %): trust intervals and ratios more than milliseconds.",
-        100.0 * elsewhere.at("max").get<double>(), 100.0 * elsewhere.at("p50").get<double>());
+        "While a run was timed, others had up to {:.1f} of the machine's processors (p50 of the "
+        "runs "
+        "{:.1f}): trust intervals and ratios more than milliseconds.",
+        elsewhere.at("max").get<double>(), elsewhere.at("p50").get<double>());
 }
 
 std::string head(const json& pareto) {

@@ -27,7 +27,8 @@ nlohmann::json to_json(const Times& t) {
             {"repetition", t.repetition},
             {"frame_ms", t.frame_ms},
             {"pass_ms", t.pass_ms},
-            {"elsewhere_ratio", t.elsewhere_ratio ? nlohmann::json(*t.elsewhere_ratio) : nullptr}};
+            {"elsewhere_processors",
+             t.elsewhere_processors ? nlohmann::json(*t.elsewhere_processors) : nullptr}};
 }
 
 Accuracy accuracy_from(const nlohmann::json& json) {
@@ -49,8 +50,8 @@ Times times_from(const nlohmann::json& json) {
     json.at("frame_ms").get_to(t.frame_ms);
     json.at("pass_ms").get_to(t.pass_ms);
     // A journal from before it was kept does not have it.
-    const auto elsewhere = json.find("elsewhere_ratio");
-    if (elsewhere != json.end() && !elsewhere->is_null()) t.elsewhere_ratio = *elsewhere;
+    const auto elsewhere = json.find("elsewhere_processors");
+    if (elsewhere != json.end() && !elsewhere->is_null()) t.elsewhere_processors = *elsewhere;
     return t;
 }
 

@@ -27,10 +27,9 @@ struct Accuracy {
 struct Times {
     std::size_t point = 0;
     int repetition = 0;
-    std::vector<double> frame_ms;           ///< renderer and lens distortion, wall time
-    std::map<std::string, double> pass_ms;  ///< by name, means beyond the warm-up
-    /// Share of the machine's processor time that others had meanwhile; none: not known.
-    std::optional<double> elsewhere_ratio{};
+    std::vector<double> frame_ms;                  ///< renderer and lens distortion, wall time
+    std::map<std::string, double> pass_ms;         ///< by name, means beyond the warm-up
+    std::optional<double> elsewhere_processors{};  ///< others had meanwhile; none: not known
 };
 
 nlohmann::json to_json(const Accuracy& accuracy);

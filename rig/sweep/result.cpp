@@ -130,14 +130,14 @@ Json within_json(const std::vector<Place>& places, const std::vector<std::size_t
     return json;
 }
 
-/// Of all timed runs: the median and the largest share that others had of the machine.
+/// Of all timed runs: how many of the machine's processors others had.
 Json elsewhere_json(const Measured& measured) {
-    std::vector<double> ratios;
+    std::vector<double> processors;
     for (const auto& [point, runs] : measured.times)
         for (const Times& run : runs)
-            if (run.elsewhere_ratio) ratios.push_back(*run.elsewhere_ratio);
-    if (ratios.empty()) return nullptr;
-    return {{"p50", stats::median_of(ratios)}, {"max", std::ranges::max(ratios)}};
+            if (run.elsewhere_processors) processors.push_back(*run.elsewhere_processors);
+    if (processors.empty()) return nullptr;
+    return {{"p50", stats::median_of(processors)}, {"max", std::ranges::max(processors)}};
 }
 
 /// A front of each case: settings of two scenes are no choice between each other.
@@ -189,7 +189,7 @@ Json pareto_json(const Measured& measured) {
                    {"build", measured.build},
                    {"hosts", std::move(hosts)},
                    {"modelled", definition.at("fixed_cost")},
-                   {"elsewhere_ratio", elsewhere_json(measured)},
+                   {"elsewhere_processors", elsewhere_json(measured)},
                    {"error", axis},
                    {"budget_ms", budget_ms(definition, nlohmann::json::object())},
                    {"points", std::move(points)},

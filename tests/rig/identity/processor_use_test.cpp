@@ -25,14 +25,19 @@ TEST(ProcessorUse, RefusesWhatIsNoSuchLine) {
         EXPECT_FALSE(parse_processor_times(line, 100.0)) << line;
 }
 
-TEST(ProcessorUse, SharesAddUpToWhatPassed) {
-    const ProcessorTimes before{.own_s = 1.0, .busy_s = 10.0, .idle_s = 100.0, .stolen_s = 5.0};
-    const ProcessorTimes after{.own_s = 4.0, .busy_s = 14.0, .idle_s = 103.0, .stolen_s = 8.0};
+// Ten seconds of four processors' time: two and a half on the clock.
+TEST(ProcessorUse, CountsProcessors) {
+    const ProcessorTimes before{
+        .own_s = 1.0, .busy_s = 10.0, .idle_s = 100.0, .stolen_s = 5.0, .processors = 4};
+    const ProcessorTimes after{
+        .own_s = 4.0, .busy_s = 14.0, .idle_s = 103.0, .stolen_s = 8.0, .processors = 4};
     const auto use = use_between(before, after);
     ASSERT_TRUE(use);
-    EXPECT_DOUBLE_EQ(use->own_ratio, 0.3);
-    EXPECT_DOUBLE_EQ(use->others_ratio, 0.1);
-    EXPECT_DOUBLE_EQ(use->stolen_ratio, 0.3);
+    EXPECT_EQ(use->processors, 4);
+    EXPECT_DOUBLE_EQ(use->own, 1.2);
+    EXPECT_DOUBLE_EQ(use->others, 0.4);
+    EXPECT_DOUBLE_EQ(use->stolen, 1.2);
+    EXPECT_DOUBLE_EQ(use->elsewhere(), 1.6);
     EXPECT_FALSE(use_between(before, before));
 }
 

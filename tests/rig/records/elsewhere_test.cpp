@@ -7,27 +7,27 @@
 namespace foverig {
 namespace {
 
-nlohmann::json with(double others_ratio, double stolen_ratio) {
+nlohmann::json with(double others, double stolen) {
     return {{"processor_use",
-             {{"own_ratio", 0.5}, {"others_ratio", others_ratio}, {"stolen_ratio", stolen_ratio}}}};
+             {{"processors", 64}, {"own", 1.0}, {"others", others}, {"stolen", stolen}}}};
 }
 
-TEST(Elsewhere, SaysWhereTheProcessorTimeWent) {
-    EXPECT_DOUBLE_EQ(*elsewhere_ratio(with(0.125, 0.25)), 0.375);
-    EXPECT_EQ(elsewhere_text(with(0.12, 0.25)),
-              "25 % to other guests of its host, 12 % to other programs");
-    EXPECT_EQ(elsewhere_text(with(0.12, 0.0)), "12 % to other programs");
+TEST(Elsewhere, SaysWhoHadTheProcessors) {
+    EXPECT_DOUBLE_EQ(*elsewhere_processors(with(0.125, 0.25)), 0.375);
+    EXPECT_EQ(elsewhere_text(with(0.62, 1.2)),
+              "1.8 of 64 processors: 1.2 to other guests of its host, 0.6 to other programs");
+    EXPECT_EQ(elsewhere_text(with(1.0, 0.0)), "1.0 of 64 processors: 1.0 to other programs");
 }
 
-TEST(Elsewhere, IsSilentWhereItMovesNoTime) {
-    EXPECT_NE(elsewhere_text(with(0.015, 0.016)), "");
-    EXPECT_EQ(elsewhere_text(with(0.015, 0.014)), "");
+TEST(Elsewhere, GoesByProcessorsHoweverManyTheMachineHas) {
+    EXPECT_NE(elsewhere_text(with(0.05, 0.06)), "");
+    EXPECT_EQ(elsewhere_text(with(0.05, 0.04)), "");
 }
 
 TEST(Elsewhere, DoesNotGuess) {
     for (const auto& summary :
          {nlohmann::json::object(), nlohmann::json{{"processor_use", nullptr}}, nlohmann::json()}) {
-        EXPECT_FALSE(elsewhere_ratio(summary));
+        EXPECT_FALSE(elsewhere_processors(summary));
         EXPECT_EQ(elsewhere_text(summary), "");
     }
 }

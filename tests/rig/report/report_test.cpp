@@ -136,10 +136,10 @@ TEST_F(ReportTest, SaysWhetherTheRateHolds) {
 TEST_F(ReportTest, SaysThatTheMachineHadOtherWork) {
     RunRecord run = some_run();
     EXPECT_THAT(page_of(run, nlohmann::json::array()), Not(HasSubstr("went elsewhere")));
-    run.processor_use = ProcessorUse{.own_ratio = 0.4, .others_ratio = 0.2, .stolen_ratio = 0.1};
+    run.processor_use = ProcessorUse{.processors = 4, .own = 0.4, .others = 0.7, .stolen = 0.3};
     for (std::size_t i = 0; i < run.frames.size(); ++i) run.frames[i].shown_vsync = 3 * i;
     EXPECT_THAT(page_of(run, nlohmann::json::array()),
-                HasSubstr("10 % to other guests of its host, 20 % to other programs"));
+                HasSubstr("1.0 of 4 processors: 0.3 to other guests of its host, 0.7 to other "));
 }
 
 TEST_F(ReportTest, StandsARunWithoutFrames) {

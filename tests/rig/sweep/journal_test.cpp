@@ -64,10 +64,10 @@ TEST_F(JournalTest, GivesBackWhatItWasGiven) {
 
 TEST_F(JournalTest, GivesBackTimedRunsAndThoseOfOlderPrograms) {
     Times times{.point = 3, .repetition = 1, .frame_ms = {1.0 / 3.0}, .pass_ms = {{"trace", 0.2}}};
-    times.elsewhere_ratio = 0.25;
+    times.elsewhere_processors = 0.25;
     auto older = to_json(times);
     older["repetition"] = 2;
-    older.erase("elsewhere_ratio");
+    older.erase("elsewhere_processors");
     {
         Journal journal(file_);
         journal.append({{"schema", "foverig.sweep/1"}});
@@ -77,8 +77,8 @@ TEST_F(JournalTest, GivesBackTimedRunsAndThoseOfOlderPrograms) {
     const JournalContent content = read_journal(file_);
     ASSERT_EQ(content.times.size(), 2U);
     EXPECT_EQ(content.times[0].frame_ms, times.frame_ms);
-    EXPECT_EQ(content.times[0].elsewhere_ratio, 0.25);
-    EXPECT_EQ(content.times[1].elsewhere_ratio, std::nullopt);
+    EXPECT_EQ(content.times[0].elsewhere_processors, 0.25);
+    EXPECT_EQ(content.times[1].elsewhere_processors, std::nullopt);
 }
 
 TEST_F(JournalTest, CutsOffWhatAKillTore) {

@@ -86,15 +86,15 @@ TEST(ParetoPage, SaysWhatTheJsonSays) {
 }
 
 TEST(ParetoPage, SaysThatTheMachineHadOtherWork) {
-    EXPECT_TRUE(pareto_json(three_points())["elsewhere_ratio"].is_null());
+    EXPECT_TRUE(pareto_json(three_points())["elsewhere_processors"].is_null());
     Measured measured = three_points();
     for (auto& [point, runs] : measured.times)
-        for (Times& run : runs) run.elsewhere_ratio = point == 1 ? 0.5 : 0.01;
+        for (Times& run : runs) run.elsewhere_processors = point == 1 ? 0.5 : 0.01;
     const auto pareto = pareto_json(measured);
-    EXPECT_DOUBLE_EQ(pareto["elsewhere_ratio"]["p50"].get<double>(), 0.01);
-    EXPECT_DOUBLE_EQ(pareto["elsewhere_ratio"]["max"].get<double>(), 0.5);
-    EXPECT_THAT(page(pareto), HasSubstr("others had up to 50 % of the machine"));
-    for (Times& run : measured.times[1]) run.elsewhere_ratio = 0.02;
+    EXPECT_DOUBLE_EQ(pareto["elsewhere_processors"]["p50"].get<double>(), 0.01);
+    EXPECT_DOUBLE_EQ(pareto["elsewhere_processors"]["max"].get<double>(), 0.5);
+    EXPECT_THAT(page(pareto), HasSubstr("others had up to 0.5 of the machine"));
+    for (Times& run : measured.times[1]) run.elsewhere_processors = 0.02;
     EXPECT_THAT(page(pareto_json(measured)), testing::Not(HasSubstr("others had")));
 }
 
