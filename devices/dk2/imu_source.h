@@ -19,7 +19,7 @@ struct ImuSourceConfig {
     std::uint16_t persistence_rows = 435;
     bool light_leds = false;  ///< blinking, for the tracker camera
     std::uint16_t keep_alive_timeout_ms = 10000;
-    Nanoseconds keep_alive_period{3'000'000'000};  ///< three tries a time-out
+    Nanoseconds keep_alive_period{3'000'000'000};  ///< three tries a time-out, two with one lost
     ClockMapConfig clock_map{};
 };
 

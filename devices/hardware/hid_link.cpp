@@ -89,27 +89,24 @@ Status HidLink::read(PacketQueue& packets) {
 void HidLink::keep_awake(std::uint8_t, Bytes report, Nanoseconds period) {
     const std::lock_guard lock(mutex_);
     keep_alive_ = to_vector(report);
-    keep_alive_period_ = period;
+    pace_.set_period(period);
 }
 
 void HidLink::keep_alive_if_due() {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock || keep_alive_.empty()) return;  // locked: a report goes over just now
-    const HostTime now = clock_.now();
-    if (now - last_set_ < keep_alive_period_ || patience_.spent(now)) return;
-    // A failure shows where it matters: reports stop. The next try is a period away either way.
+    const HostTime asked = clock_.now();
+    if (!pace_.due(asked)) return;
+    // A failure shows where it matters: reports stop.
     if (send(keep_alive_)) {
-        patience_.answered();
+        pace_.keep_alive_taken(clock_.now());
     } else {
-        patience_.failed(now, last_set_);
+        pace_.keep_alive_failed(asked, clock_.now());
     }
 }
 
-/// A report that runs out of time (five seconds in the kernel) is longer under way than a period:
-/// the next one is a period after its end.
 Status HidLink::send(Bytes report) {
     const int sent = hid_send_feature_report(features_.get(), raw(report.data()), report.size());
-    last_set_ = clock_.now();
     if (sent >= 0) return Done{};
     return Error{ErrorCode::io, fmt::format("{} did not take feature report {}: {}", path_,
                                             read_u8(report, 0), ascii(hid_error(features_.get())))};
@@ -121,7 +118,9 @@ Status HidLink::control_set(std::uint8_t id, std::uint16_t, Bytes report) {
                      fmt::format("feature report {} does not start with its id", id)};
     }
     const std::lock_guard lock(mutex_);
-    return send(report);
+    const Status sent = send(report);
+    if (sent) pace_.taken(clock_.now());
+    return sent;
 }
 
 Result<std::vector<std::byte>> HidLink::control_get(std::uint8_t id, std::uint16_t,

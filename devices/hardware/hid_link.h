@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "devices/hardware/found_device.h"
+#include "devices/hardware/keep_alive_pace.h"
 #include "devices/hardware/link.h"
-#include "devices/hardware/patience.h"
 
 struct hid_device_;
 
@@ -22,9 +22,10 @@ class HidLink final : public Link {
     Status control_set(std::uint8_t id, std::uint16_t value, Bytes report) override;
     Result<std::vector<std::byte>> control_get(std::uint8_t id, std::uint16_t value,
                                                std::size_t size) override;
-    /// Any report that is set counts: the next keep-alive is `period` after the last of them. One
-    /// that runs out of time held `read` up: the next ones rest as Patience has it, apart from what
-    /// others ask, so that a headset which takes them is not let sleep for a request that it lost.
+    /// Any report that the device took counts: the next keep-alive is `period` after the last of
+    /// them. One that runs out of time holds `read` up: the next sets out at once, later ones rest
+    /// as KeepAlivePace has it, apart from what others ask, so that a headset which takes them is
+    /// not let sleep for a request that it lost.
     void keep_awake(std::uint8_t id, Bytes report, Nanoseconds period) override;
 
   private:
@@ -43,10 +44,8 @@ class HidLink final : public Link {
     std::mutex mutex_;  // of all below
     Handle features_;
     std::vector<std::byte> keep_alive_;  // empty: nobody asked for it
-    Nanoseconds keep_alive_period_{};
     WallClock clock_;
-    HostTime last_set_ = clock_.now();
-    Patience patience_;  // with keep-alives
+    KeepAlivePace pace_{clock_.now()};
 };
 
 }  // namespace foverig::hardware
