@@ -122,7 +122,10 @@ void TrackedHead::correct(const PoseFix& fix) {
         case DelayedFilter::Verdict::unlikely:
             ++counts_.unlikely;
             if (++unlikely_in_row_ < config_.unlikely_until_restart) break;
-            if (is_beyond_inertia(fix)) break;
+            if (is_beyond_inertia(fix)) {
+                ++counts_.too_old;
+                break;
+            }
             ++counts_.restarts;
             begin(fix);
             break;

@@ -26,8 +26,8 @@ class TrackedTurn : public testing::Test {
     }
     /// Nothing is heard of the sensor meanwhile.
     void skip_to(double end_s) { head_.go_to(end_s); }
-    /// What the camera saw `age_s` ago comes now.
-    void fix(double age_s) {
+    /// What the camera saw `age_s` ago comes now; it was moved by `aside_m` since it was placed.
+    void fix(double age_s, double aside_m = 0) {
         const double taken_s = head_.time_s - age_s;
         const RigidPose world_from_imu{exp_map(kRate_rad_s * taken_s), dvec3(0)};
         PoseFix fix;
@@ -35,6 +35,7 @@ class TrackedTurn : public testing::Test {
         fix.taken = host(taken_s);
         fix.arrival = host(head_.time_s);
         fix.camera_from_imu = kWorldFromCamera.inverse() * world_from_imu;
+        fix.camera_from_imu.translation_m.x += aside_m;
         for (std::size_t i = 0; i < 6; ++i) fix.covariance(i, i) = 1e-6;
         tracked_.add(fix);
     }
@@ -87,6 +88,27 @@ TEST_F(TrackedTurn, BeginsAgainAfterAGapWithAFixThatTheGyroReaches) {
     ASSERT_TRUE(tracked_.tracking());
     run_to(head_.time_s + 0.5);  // until the correction is shown in full
     EXPECT_LT(error_deg(), 0.1);
+}
+
+TEST_F(TrackedTurn, CountsUnlikelyFixesThatItIsTooLateToBeginAgainWith) {
+    run_to(0.5);
+    for (int i = 0; i < 5; ++i) {
+        run_to(head_.time_s + 0.016);
+        fix(0.03);
+    }
+    ASSERT_TRUE(tracked_.tracking());
+    run_to(head_.time_s + 0.2);  // until the filter keeps what it held 150 ms ago
+    for (int i = 0; i < 16; ++i) {
+        run_to(head_.time_s + 0.016);
+        fix(0.15, 0.5);
+    }
+    EXPECT_EQ(tracked_.counts().unlikely, 16U);
+    EXPECT_EQ(tracked_.counts().too_old, 2U) << "the fifteenth in a row would begin, and the next";
+    EXPECT_EQ(tracked_.counts().restarts, 0U);
+    run_to(head_.time_s + 0.016);
+    fix(0.03, 0.5);
+    EXPECT_EQ(tracked_.counts().restarts, 1U);
+    EXPECT_EQ(tracked_.counts().too_old, 2U);
 }
 
 }  // namespace
