@@ -38,10 +38,19 @@ fs::path place_of(const RecordRequest& request) {
     return file;
 }
 
+/// What a replay settles on is part of so many seconds, and comes on top of so many frames.
 Nanoseconds duration_of(const Scenario& scenario) {
-    return from_seconds(scenario.seconds > 0.0
-                            ? scenario.seconds
-                            : static_cast<double>(scenario.frames) / scenario.display.rate_hz);
+    if (scenario.seconds <= 0.0) {
+        return from_seconds(scenario.settle_s +
+                            static_cast<double>(scenario.frames) / scenario.display.rate_hz);
+    }
+    if (scenario.seconds <= scenario.settle_s) {
+        throw UsageError(
+            fmt::format("--seconds {}: a replay takes the first {} s (settle_s) before "
+                        "its first frame; expected more than that",
+                        scenario.seconds, scenario.settle_s));
+    }
+    return from_seconds(scenario.seconds);
 }
 
 void print(const fs::path& file, const std::vector<DeviceRecord>& devices,
@@ -81,6 +90,7 @@ ExitCode record_command(const RecordRequest& request) {
     const Scenario& scenario = request.scenario;
     require_devices(scenario);
     require_see_through(scenario);
+    const Nanoseconds duration = duration_of(scenario);
     const fs::path file = place_of(request);
     RunClock clock(scenario.clock, Cost{}, replay_speed(scenario));
     const auto world = make_world(scenario, clock.clock());
@@ -95,7 +105,7 @@ ExitCode record_command(const RecordRequest& request) {
     devices.tell([](const std::string& text) { fmt::print(stderr, "{}\n", text); });
     const Interrupt interrupt;
     Progress progress;
-    const HostTime end = clock.now() + duration_of(scenario);
+    const HostTime end = clock.now() + duration;
     while (clock.now() < end && !interrupt.requested() && !world->at_end()) {
         devices.run_for(std::min(kStep, end - clock.now()));
         progress.show(clock.now(), recording.counts());

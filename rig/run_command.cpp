@@ -54,6 +54,22 @@ void take_choices(const governor::GovernedRenderer& governed, RunRecord& run) {
     run.governor = governed.record();
 }
 
+/// A recording may be shorter than what is asked of it. Throws InputError where no frame was due.
+void tell_of_early_end(const Scenario& scenario, const RunRecord& run) {
+    const std::string recording = replayed_file(scenario);
+    if (recording.empty()) return;
+    if (run.frames.empty()) {
+        throw InputError(
+            fmt::format("{}: ends before the first frame, within settle_s = {}; "
+                        "expected a longer recording, or a smaller settle_s",
+                        recording, scenario.settle_s));
+    }
+    if (scenario.seconds <= 0.0 && std::ssize(run.frames) < scenario.frames) {
+        fmt::print(stderr, "{}: ends after {} of {} frames\n", recording, run.frames.size(),
+                   scenario.frames);
+    }
+}
+
 /// With a window the lenses are its work; `governed` is the renderer where there is a governor,
 /// else null.
 RunRecord run_session(const Scenario& scenario, const Scene& scene, Renderer& renderer,
@@ -82,6 +98,7 @@ RunRecord run_session(const Scenario& scenario, const Scene& scene, Renderer& re
     if (governed != nullptr) take_choices(*governed, run);
     if (live != nullptr && run.display) live->complete(*run.display);
     progress.done();
+    if (!run.interrupted && !hooks.stop_requested()) tell_of_early_end(scenario, run);
     if (last) images.run_done(*last, renderer);
     if (const auto missed = images.missed(); !missed.empty())
         fmt::print(stderr, "images.frames: the run of {} frames never came to {}\n",

@@ -1,18 +1,20 @@
 // record, replay and recover as their users meet them.
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 
-#include <csignal>
+#include <nlohmann/json.hpp>
 
+#include "tests/rig/full_disk.h"
 #include "tests/rig/program_bench.h"
 
 namespace foverig {
 namespace {
 
 using test::foverig;
+using test::FullDisk;
 using test::Outcome;
 using test::text_of;
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 class ProgramRecordingTest : public test::ProgramBench {
@@ -49,6 +51,42 @@ TEST_F(ProgramRecordingTest, RecordsDevicesAlone) {
     EXPECT_EQ(small_run("run", {"--devices", "replay:" + (root_ / "a.mcap").string()}).code, 0);
 }
 
+TEST_F(ProgramRecordingTest, RecordsWhatARunOfAsManyFramesTakes) {
+    const std::string file = (root_ / "a.mcap").string();
+    ASSERT_EQ(foverig({"record", "--frames", "30", "--out", file}).code, 0);
+    const auto frames_of = [&](const char* name) {
+        return nlohmann::json::parse(text_of(root_ / name / "summary.json"))["frames"]["rendered"];
+    };
+    const auto replay = [&](const char* name, const char* frames) {
+        return small_run(name, {"--devices", "replay:" + file, "--frames", frames, "--set",
+                                "settle_s=0.5", "--set", "images.frames=[]"});
+    };
+    const Outcome whole = replay("whole", "30");
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    EXPECT_EQ(frames_of("whole"), 30);
+    EXPECT_THAT(whole.err, Not(HasSubstr("ends after")));
+    const Outcome more = replay("more", "60");
+    ASSERT_EQ(more.code, 0) << more.err;
+    EXPECT_LT(frames_of("more"), 40);
+    EXPECT_THAT(more.err, HasSubstr("a.mcap: ends after "));
+    EXPECT_THAT(more.err, HasSubstr(" of 60 frames\n"));
+}
+
+TEST_F(ProgramRecordingTest, NeedsMoreThanItSettlesOn) {
+    const std::string file = (root_ / "a.mcap").string();
+    const Outcome refused = foverig({"record", "--seconds", "0.5", "--out", file});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, testing::MatchesRegex("foverig: --seconds 0.5: [^\n]+\n"));
+    EXPECT_FALSE(fs::exists(file));
+    const Outcome recorded =
+        foverig({"record", "--seconds", "0.5", "--set", "settle_s=0.1", "--out", file});
+    ASSERT_EQ(recorded.code, 0) << recorded.err;
+    const Outcome none = small_run("none", {"--devices", "replay:" + file, "--set", "settle_s=2"});
+    EXPECT_EQ(none.code, 3);
+    EXPECT_THAT(none.err, HasSubstr("a.mcap: ends before the first frame"));
+    EXPECT_FALSE(fs::exists(root_ / "none"));
+}
+
 TEST_F(ProgramRecordingTest, MendsATornFileAndReplaysIt) {
     ASSERT_EQ(record("a.mcap").code, 0);
     fs::copy_file(root_ / "a.mcap", root_ / "torn.mcap");
@@ -65,26 +103,6 @@ TEST_F(ProgramRecordingTest, MendsATornFileAndReplaysIt) {
     EXPECT_THAT(foverig({"recover", place}).out, HasSubstr("nothing to mend"));
     EXPECT_EQ(foverig({"recover", (root_ / "torn.mcap").string()}).code, 2) << "never over a file";
 }
-
-/// While it lives no file grows beyond this, as on a disk that is full.
-class FullDisk {
-  public:
-    explicit FullDisk(rlim_t bytes) : before_(std::signal(SIGXFSZ, SIG_IGN)) {
-        ::getrlimit(RLIMIT_FSIZE, &limit_);
-        const rlimit small{bytes, limit_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &small);
-    }
-    ~FullDisk() {
-        ::setrlimit(RLIMIT_FSIZE, &limit_);
-        std::signal(SIGXFSZ, before_);
-    }
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-
-  private:
-    void (*before_)(int);
-    rlimit limit_{};
-};
 
 TEST_F(ProgramRecordingTest, KeepsWhatDevicesSentWhenTheRunFails) {
     Outcome outcome;
