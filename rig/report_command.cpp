@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <system_error>
+
 #include "rig/commands.h"
 #include "rig/exports/benchmark_json.h"
 #include "rig/exports/formats.h"
@@ -30,7 +32,10 @@ void write_together(const fs::path& file, const std::vector<report::RunData>& ru
     const std::string text = exports::benchmark_json(runs).dump(2) + "\n";
     try {
         replace_text(file, text);
-    } catch (const std::runtime_error& error) {
+    } catch (const std::system_error& error) {
+        const bool full = error.code() == std::errc::no_space_on_device ||
+                          error.code() == std::errc::file_too_large;
+        if (full) throw;  // another command line would not help
         throw UsageError(fmt::format("--together {}", error.what()));
     }
 }

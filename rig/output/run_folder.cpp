@@ -40,15 +40,29 @@ fs::path beside(const fs::path& place, const char* suffix) {
     return other;
 }
 
+/// A std::runtime_error that knows why.
+std::system_error not_written(const fs::path& file, std::error_code why) {
+    return {why, fmt::format("{}: cannot be written", file.string())};
+}
+
 /// `called`: what an error names.
 void write_as(const fs::path& file, std::string_view text, const fs::path& called) {
     errno = 0;
     std::ofstream stream(file, std::ios::binary);
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
     stream.close();
-    if (!stream)
-        throw std::runtime_error(fmt::format("{}: cannot be written: {}", called.string(),
-                                             std::generic_category().message(errno)));
+    if (!stream) throw not_written(called, std::error_code(errno, std::generic_category()));
+}
+
+/// Where a text may be written beside and renamed to: behind a link, which stays, is a file, or
+/// nothing is there. Else nullopt.
+std::optional<fs::path> replaceable(const fs::path& file) {
+    std::error_code error;
+    const bool is_link = fs::is_symlink(file, error);
+    const fs::file_status status = fs::status(file, error);
+    if (fs::is_regular_file(status)) return is_link ? fs::canonical(file) : file;
+    if (is_link || fs::exists(status)) return std::nullopt;
+    return file;
 }
 
 }  // namespace
@@ -99,15 +113,19 @@ void write_text(const fs::path& file, std::string_view text) {
 }
 
 void replace_text(const fs::path& file, std::string_view text) {
-    const fs::path draft = beside(file, "draft");
-    write_as(draft, text, file);
-    std::error_code error;
-    fs::rename(draft, file, error);
-    if (!error) return;
-    std::error_code ignored;  // the rename's error is the one to tell
-    fs::remove(draft, ignored);
-    throw std::runtime_error(
-        fmt::format("{}: cannot be written: {}", file.string(), error.message()));
+    const auto place = replaceable(file);
+    if (!place) return write_text(file, text);
+    const fs::path draft = beside(*place, "draft");
+    try {
+        write_as(draft, text, file);
+        std::error_code error;
+        fs::rename(draft, *place, error);
+        if (error) throw not_written(file, error);
+    } catch (...) {
+        std::error_code ignored;  // the first error is the one to tell
+        fs::remove(draft, ignored);
+        throw;
+    }
 }
 
 }  // namespace foverig

@@ -31,10 +31,11 @@ class RunFolder {
     std::filesystem::path draft_;
 };
 
-/// Throws std::runtime_error with the path where the text cannot be written in full.
+/// Throws std::system_error with the path where the text cannot be written in full.
 void write_text(const std::filesystem::path& file, std::string_view text);
 
-/// The same, whole or not at all: beside it first, then renamed.
+/// The same, whole or not at all: beside it first, then renamed. A link stays and what it leads to
+/// is replaced; a pipe or a device is written to as it is.
 void replace_text(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace foverig

@@ -1,12 +1,17 @@
 #include "rig/output/run_folder.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 #include "rig/failure.h"
+#include "tests/rig/full_disk.h"
 
 namespace foverig {
 namespace fs = std::filesystem;
@@ -94,6 +99,48 @@ TEST_F(RunFolderTest, ReplacesATextWholeOrNotAtAll) {
     EXPECT_EQ(text_of(root_ / "report.html"), "new");
     EXPECT_THROW(replace_text(root_ / "no/such/report.html", "x"), std::runtime_error);
     EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(RunFolderTest, ReplacesWhatALinkLeadsToAndKeepsTheLink) {
+    fs::create_directories(root_ / "there");
+    write_text(root_ / "there/all.json", "old");
+    fs::create_symlink("there/all.json", root_ / "all.json");
+    replace_text(root_ / "all.json", "new");
+    EXPECT_TRUE(fs::is_symlink(root_ / "all.json"));
+    EXPECT_EQ(text_of(root_ / "there/all.json"), "new");
+    fs::create_symlink("there/later.json", root_ / "later.json");
+    replace_text(root_ / "later.json", "first");
+    EXPECT_TRUE(fs::is_symlink(root_ / "later.json"));
+    EXPECT_EQ(text_of(root_ / "there/later.json"), "first");
+    EXPECT_EQ(entries(), 3U) << "no draft";
+}
+
+TEST_F(RunFolderTest, WritesIntoAPipeAndLeavesItThere) {
+    const fs::path pipe = root_ / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    ASSERT_GE(reader, 0);
+    replace_text(pipe, "through");
+    std::array<char, 32> got{};
+    EXPECT_EQ(::read(reader, got.data(), got.size()), 7);
+    ::close(reader);
+    EXPECT_STREQ(got.data(), "through");
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(RunFolderTest, RemovesTheDraftOfWhatCannotBeReplaced) {
+    fs::create_directories(root_ / "folder/within");
+    EXPECT_THROW(replace_text(root_ / "folder", "x"), std::system_error);
+    EXPECT_EQ(entries(), 1U);
+    write_text(root_ / "report.html", "old");
+    {
+        const test::FullDisk disk(1000);
+        EXPECT_THROW(replace_text(root_ / "report.html", std::string(100'000, 'x')),
+                     std::system_error);
+    }
+    EXPECT_EQ(text_of(root_ / "report.html"), "old");
+    EXPECT_EQ(entries(), 2U);
 }
 
 }  // namespace
