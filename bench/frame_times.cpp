@@ -1,5 +1,5 @@
 // Frame times of every pipeline, on every backend of this machine, in every configuration that is
-// one to that pipeline, small enough that all of them take a minute. Each image is first held to
+// one to that pipeline, small enough that all of them take two minutes. Each image is first held to
 // Embree's of every pixel.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
